@@ -1,0 +1,61 @@
+/* SPDX-License-Identifier: Zlib
+   Copyright (c) 2026 the tuff authors
+
+   The arithmetic that the rest of src/ is written in. Both builds define the same names:
+
+     tuff_wide, TUFF_WIDE_LOWEST     unit * real, before it is narrowed: what axes are compared in
+     TUFF_WIDE_NEAR                  within this of a face the side is not certain
+     tuff_area                       real * real; its operators are + - < and so on
+     tuff_far, tuff_far2             differences of positions; tuff_area holds their products with near vectors
+     tuff_vec2_add, tuff_vec2_sub    a + b, a - b
+     tuff_right_of(from, to)         to - from, turned a quarter from +y to +x
+     tuff_vec2_gap                   a - b for squares and products: in float, too small to square is zero
+     tuff_flush, tuff_vec2_flush     the same for what comes in
+     tuff_project(n, v)              n . v, wide           tuff_widen, tuff_narrow    real to wide and back, to nearest
+     tuff_dot, tuff_cross            of near vectors       tuff_facing                of unit vectors
+     tuff_offset_within              difference of positions inside an open circle
+     tuff_circles_touch              closed circles at any distance
+     tuff_pushed                     position + overlap * normal, saturating
+     tuff_floor, tuff_ceil           whole units
+     tuff_position_ok, tuff_velocity_ok, tuff_number_ok
+     tuff_far_sub, tuff_far_dot, tuff_far_cross, tuff_far_cross_near, tuff_edge_side, tuff_far_inside     beams */
+#ifndef TUFF_ARITH_H
+#define TUFF_ARITH_H
+
+#include "tuff/shapes.h"
+#include TUFF_ARITH_HEADER
+
+#define tuff_normalize       TUFF_LINK_NAME(normalize)
+#define tuff_reflect         TUFF_LINK_NAME(reflect)
+#define tuff_chord_reaches   TUFF_LINK_NAME(chord_reaches)
+#define tuff_ratio           TUFF_LINK_NAME(ratio)
+#define tuff_ratio_less      TUFF_LINK_NAME(ratio_less)
+#define tuff_circle_entry    TUFF_LINK_NAME(circle_entry)
+#define tuff_far_direction   TUFF_LINK_NAME(far_direction)
+#define tuff_along           TUFF_LINK_NAME(along)
+
+/* Length of v, and its direction unless the length is 0. Fixed: the length to nearest, each component of the direction within
+   0.75 * 2^-30, (+-1, 0) and (0, +-1) exact. */
+tuff_real tuff_normalize(tuff_vec2 v, tuff_unit2 *direction);
+
+/* If v . n < 0: v becomes (1 - friction) * v - (1 - friction + restitution) * (v . n) * n, within the speed limit.
+   Fixed: rounded toward zero. 0 <= restitution <= TUFF_MAX_RESTITUTION, 0 <= friction <= 1. */
+void tuff_reflect(tuff_vec2 *v, tuff_unit2 n, tuff_real restitution, tuff_real friction);
+
+/* |across| <= radius * |d|, where across = d x a: does the line through a along d reach the circle about the origin? */
+bool tuff_chord_reaches(tuff_area across, tuff_far2 d, tuff_real radius);
+
+/* Fractions with 0 <= numerator <= denominator, denominator > 0: the value to nearest, and a comparison. */
+tuff_unit tuff_ratio(tuff_area numerator, tuff_area denominator);
+bool tuff_ratio_less(tuff_area n1, tuff_area d1, tuff_area n2, tuff_area d2);
+
+/* How far along the segment from a (outside) in steps of d the circle about the origin is entered; the segment is known to touch it. */
+tuff_unit tuff_circle_entry(tuff_far2 a, tuff_far2 d, tuff_real radius);
+
+/* Direction of d, which is not 0. */
+tuff_unit2 tuff_far_direction(tuff_far2 d);
+
+/* a + fraction * d, known to be near. */
+tuff_vec2 tuff_along(tuff_far2 a, tuff_far2 d, tuff_unit fraction);
+
+#endif

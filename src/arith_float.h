@@ -1,0 +1,141 @@
+/* SPDX-License-Identifier: Zlib
+   Copyright (c) 2026 the tuff authors
+
+   The inner arithmetic of the float build: the vocabulary of arith.h in float. Compiled with -ffp-contract=off. Machines that trap
+   denormals (N64) never meet one: whatever comes in below TUFF_TINY = 2^-48 counts as zero. A product of two such numbers, or of a
+   difference of two (2^-71 or more) and a normal's component (2^-32 or more), is above 2^-103, so even the last bit of a sum
+   of products (2^-126) is a normal number. */
+#ifndef TUFF_ARITH_FLOAT_H
+#define TUFF_ARITH_FLOAT_H
+
+typedef float tuff_wide;
+typedef float tuff_area;
+typedef float tuff_far;
+
+#define TUFF_WIDE_LOWEST  (-3.0e38f)
+#define TUFF_WIDE_NEAR    (1.0f / 1024.0f)    /* a projection over 4,096 units is good to 2^-10 */
+#define TUFF_UNIT_ONE     1.0f
+#define TUFF_TINY         3.5527137e-15f      /* 2^-48 */
+
+static inline float tuff_abs(float a)   { return a < 0.0f ? -a : a; }
+
+static inline float tuff_flush(float a) { return a < TUFF_TINY && a > -TUFF_TINY ? 0.0f : a; }
+
+static inline tuff_vec2 tuff_vec2_flush(tuff_vec2 a)
+{
+    tuff_vec2 flushed = { tuff_flush(a.x), tuff_flush(a.y) };
+    return flushed;
+}
+
+static inline tuff_vec2 tuff_vec2_sub(tuff_vec2 a, tuff_vec2 b)
+{
+    tuff_vec2 difference = { a.x - b.x, a.y - b.y };
+    return difference;
+}
+
+static inline tuff_vec2 tuff_vec2_gap(tuff_vec2 a, tuff_vec2 b)
+{
+    return tuff_vec2_flush(tuff_vec2_sub(a, b));
+}
+
+static inline tuff_vec2 tuff_vec2_add(tuff_vec2 a, tuff_vec2 b)
+{
+    tuff_vec2 sum = { a.x + b.x, a.y + b.y };
+    return sum;
+}
+
+/* to - from, turned a quarter from +y to +x. */
+static inline tuff_vec2 tuff_right_of(tuff_vec2 from, tuff_vec2 to)
+{
+    tuff_vec2 right = { tuff_flush(to.y - from.y), tuff_flush(from.x - to.x) };
+    return right;
+}
+
+static inline tuff_unit2 tuff_unit2_negate(tuff_unit2 n)
+{
+    tuff_unit2 opposite = { 0.0f - n.x, 0.0f - n.y };
+    return opposite;
+}
+
+static inline tuff_wide tuff_project(tuff_unit2 n, tuff_vec2 v) { return n.x * v.x + n.y * v.y; }
+static inline tuff_wide tuff_facing(tuff_unit2 a, tuff_unit2 b) { return a.x * b.x + a.y * b.y; }
+static inline tuff_area tuff_dot(tuff_vec2 a, tuff_vec2 b)      { return a.x * b.x + a.y * b.y; }
+static inline tuff_area tuff_cross(tuff_vec2 a, tuff_vec2 b)    { return a.x * b.y - a.y * b.x; }
+static inline tuff_area tuff_square_of(tuff_real a)             { return a * a; }
+static inline tuff_wide tuff_widen(tuff_real a)                 { return a; }
+static inline tuff_real tuff_narrow(tuff_wide a)                { return a; }
+
+/* False for NaN and infinity too. */
+static inline bool tuff_number_ok(tuff_real a) { return tuff_abs(a) <= 3.0e38f; }
+
+static inline bool tuff_position_ok(tuff_vec2 position)
+{
+    return tuff_abs(position.x) <= (float)TUFF_MAX_POSITION && tuff_abs(position.y) <= (float)TUFF_MAX_POSITION;
+}
+
+static inline bool tuff_velocity_ok(tuff_vec2 velocity)
+{
+    return tuff_abs(velocity.x) <= (float)TUFF_MAX_SPEED && tuff_abs(velocity.y) <= (float)TUFF_MAX_SPEED;
+}
+
+/* Whole units below and above; beyond the positions: the nearest of their ends. */
+static inline int32_t tuff_floor(tuff_real a)
+{
+    if (a >= (float)TUFF_MAX_POSITION) return TUFF_MAX_POSITION;
+    if (!(a > -(float)TUFF_MAX_POSITION)) return -(int32_t)TUFF_MAX_POSITION;
+    int32_t whole = (int32_t)a;
+    return (float)whole > a ? whole - 1 : whole;
+}
+
+static inline int32_t tuff_ceil(tuff_real a) { return -tuff_floor(0.0f - a); }
+
+/* a - b if it lies inside the open circle of this radius; else false, for NaN too. */
+static inline bool tuff_offset_within(tuff_vec2 a, tuff_vec2 b, tuff_real radius, tuff_vec2 *offset)
+{
+    tuff_vec2 d = tuff_vec2_gap(a, b);
+    if (!(tuff_abs(d.x) < radius && tuff_abs(d.y) < radius)) return false;
+    *offset = d;
+    return tuff_dot(d, d) < tuff_square_of(radius);
+}
+
+/* Do the closed circles about a and b touch? */
+static inline bool tuff_circles_touch(tuff_vec2 a, tuff_real a_radius, tuff_vec2 b, tuff_real b_radius)
+{
+    float reach = a_radius + b_radius;
+    tuff_vec2 d = tuff_vec2_gap(a, b);
+    return tuff_abs(d.x) <= reach && tuff_abs(d.y) <= reach && tuff_dot(d, d) <= reach * reach;
+}
+
+/* position + overlap * normal; stops at the edge of the range. */
+static inline tuff_real tuff_pushed(tuff_real position, tuff_real overlap, tuff_unit normal)
+{
+    float moved = tuff_flush(position) + overlap * normal;
+    return moved > (float)TUFF_MAX_POSITION ? (float)TUFF_MAX_POSITION : moved < -(float)TUFF_MAX_POSITION ? -(float)TUFF_MAX_POSITION : moved;
+}
+
+/* --- beams ------------------------------------------------------------------------------------------------- */
+
+typedef tuff_vec2 tuff_far2;
+
+static inline tuff_far2 tuff_far_sub(tuff_vec2 a, tuff_vec2 b)          { return tuff_vec2_gap(a, b); }
+static inline float tuff_far_dot(tuff_far2 a, tuff_far2 b)              { return tuff_dot(a, b); }
+static inline float tuff_far_cross(tuff_far2 a, tuff_far2 b)            { return tuff_cross(a, b); }
+static inline float tuff_far_cross_near(tuff_far2 d, tuff_vec2 v)       { return tuff_cross(d, v); }
+
+/* (to - from) x (p - from): positive where p lies to the left of the edge. Always reckoned from the lesser end, so that the two
+   parts that share an edge get the same number with opposite signs, and no beam slips between them. */
+static inline float tuff_edge_side(tuff_far2 p, tuff_vec2 from, tuff_vec2 to)
+{
+    bool ascending = from.x < to.x || (from.x == to.x && from.y <= to.y);
+    tuff_vec2 base = ascending ? from : to;
+    float side = tuff_cross(tuff_vec2_gap(ascending ? to : from, base), tuff_vec2_gap(p, base));
+    return ascending ? side : -side;
+}
+
+/* Is p inside the closed disc about the origin? */
+static inline bool tuff_far_inside(tuff_far2 p, tuff_real radius)
+{
+    return tuff_abs(p.x) <= radius && tuff_abs(p.y) <= radius && tuff_dot(p, p) <= tuff_square_of(radius);
+}
+
+#endif

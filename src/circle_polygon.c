@@ -1,0 +1,140 @@
+/* SPDX-License-Identifier: Zlib
+   Copyright (c) 2026 the tuff authors
+
+   Circle against convex polygon. The signed distance to the polygon is the largest signed distance to its edge lines wherever the
+   nearest point lies on an edge, so one dot product an edge finds a separating axis or the nearest edge; only where that edge's
+   end is nearer is there a square root to take (Ericson, Real-Time Collision Detection, 5.1 and 5.5.7). */
+#include "inner.h"
+
+/* The Voronoi region of the center: an edge, or a vertex with the edge before it. */
+typedef struct tuff_region {
+    uint8_t edge;
+    uint8_t vertex;
+    bool    at_vertex;      /* of this vertex; edge is then the one adjacent edge that faces the center more */
+} tuff_region;
+
+/* A vertex region: of the two edges that meet there, the one whose normal is nearer to the direction of the center. */
+static tuff_region at_vertex(tuff_vec2 center, const tuff_polygon *polygon, uint8_t vertex)
+{
+    uint8_t before = tuff_previous_index(vertex, polygon->count);
+    tuff_vec2 d = tuff_vec2_sub(center, polygon->vertices[vertex]);
+    bool faces_before = tuff_project(polygon->normals[before], d) > tuff_project(polygon->normals[vertex], d);
+    tuff_region region = { faces_before ? before : vertex, vertex, true };
+    return region;
+}
+
+/* From the edge that faces the center most, walk to the region the center is in. Mostly no step is taken: it is the edge itself or one of its
+   ends. Where edges are nearly in line, rounded projections may favor an edge farther on; exact products of the edges do not. */
+static tuff_region find_region(tuff_vec2 center, const tuff_polygon *polygon, uint8_t edge)
+{
+    const tuff_vec2 *v = polygon->vertices;
+    tuff_region region = { edge, edge, false };
+    uint8_t steps;
+    for (steps = polygon->count; steps > 0; --steps) {
+        uint8_t i = region.edge;
+        uint8_t next = tuff_next_index(i, polygon->count);
+        uint8_t before = tuff_previous_index(i, polygon->count);
+        tuff_vec2 along = tuff_vec2_gap(v[next], v[i]);
+        tuff_vec2 from_start = tuff_vec2_gap(center, v[i]);
+        tuff_vec2 from_end = tuff_vec2_gap(center, v[next]);
+        if (tuff_dot(from_start, along) < 0) {
+            if (tuff_dot(from_start, tuff_vec2_gap(v[i], v[before])) >= 0) return at_vertex(center, polygon, i);
+            region.edge = before;
+        } else if (tuff_dot(from_end, along) > 0) {
+            uint8_t after = tuff_next_index(next, polygon->count);
+            if (tuff_dot(from_end, tuff_vec2_gap(v[after], v[next])) <= 0) return at_vertex(center, polygon, next);
+            region.edge = next;
+        } else {
+            return region;
+        }
+    }
+    region.edge = edge;     /* not convex */
+    return region;
+}
+
+static tuff_standing standing_at(const tuff_polygon *polygon, uint8_t edge)
+{
+    return tuff_edge_is_internal(polygon, edge) ? TUFF_BY_INTERNAL : TUFF_BY_OUTLINE;
+}
+
+static tuff_standing edge_contact(tuff_real radius, const tuff_polygon *polygon, uint8_t edge, tuff_wide separation, tuff_contact *contact)
+{
+    tuff_real overlap = tuff_narrow(tuff_widen(radius) - separation);
+    if (!(overlap > 0)) return TUFF_APART;
+    contact->overlap = overlap;
+    contact->normal = polygon->normals[edge];
+    return standing_at(polygon, edge);
+}
+
+static tuff_standing vertex_contact(tuff_vec2 center, tuff_real radius, const tuff_polygon *polygon, tuff_region region, tuff_contact *contact)
+{
+    tuff_vec2 d = tuff_vec2_gap(center, polygon->vertices[region.vertex]);
+    tuff_unit2 normal = polygon->normals[region.edge];
+    if (tuff_dot(d, d) >= tuff_square_of(radius)) return TUFF_APART;
+    tuff_real overlap = radius - tuff_normalize(d, &normal);
+    if (!(overlap > 0)) return TUFF_APART;
+    contact->overlap = overlap;
+    contact->normal = normal;
+    return standing_at(polygon, region.edge);
+}
+
+/* The least outline edge for a circle known to overlap. */
+static tuff_standing outline_contact(tuff_vec2 center, tuff_real radius, const tuff_polygon *polygon, tuff_contact *contact)
+{
+    tuff_wide best = TUFF_WIDE_LOWEST;
+    uint8_t edge = TUFF_MAX_VERTICES;
+    uint8_t i;
+    for (i = 0; i < polygon->count; ++i) {
+        if (tuff_edge_is_internal(polygon, i)) continue;
+        tuff_wide separation = tuff_project(polygon->normals[i], tuff_vec2_sub(center, polygon->vertices[i]));
+        if (separation > best) {
+            best = separation;
+            edge = i;
+        }
+    }
+    return edge == TUFF_MAX_VERTICES ? TUFF_APART : edge_contact(radius, polygon, edge, best, contact);
+}
+
+TUFF_HOT tuff_standing tuff_circle_part(tuff_mover *mover, tuff_vec2 center, const tuff_polygon *polygon, bool outline_only, tuff_contact *contact)
+{
+    const tuff_real radius = mover->radius;
+    const tuff_wide limit = tuff_widen(radius);
+    tuff_wide best = TUFF_WIDE_LOWEST;
+    uint8_t edge = 0;
+    uint8_t i;
+    if (outline_only) return outline_contact(center, radius, polygon, contact);
+
+    for (i = 0; i < polygon->count; ++i) {
+        tuff_wide separation = tuff_project(polygon->normals[i], tuff_vec2_sub(center, polygon->vertices[i]));
+        if (separation >= limit) return TUFF_APART;
+        if (separation > best) {
+            best = separation;
+            edge = i;
+        }
+    }
+
+    /* Well inside, the edge is the answer, unless a neighbor in line with it would make the difference of outline and internal. */
+    if (best <= -TUFF_WIDE_NEAR && polygon->internal_edges == 0) return edge_contact(radius, polygon, edge, best, contact);
+    tuff_region region = find_region(center, polygon, edge);
+    if (region.at_vertex) return vertex_contact(center, radius, polygon, region, contact);
+    if (region.edge != edge) best = tuff_project(polygon->normals[region.edge], tuff_vec2_sub(center, polygon->vertices[region.edge]));
+    return edge_contact(radius, polygon, region.edge, best, contact);
+}
+
+bool tuff_circle_mover(tuff_mover *mover, tuff_real radius)
+{
+    mover->test = tuff_circle_part;
+    mover->radius = tuff_flush(radius);
+    return tuff_in_range(radius, TUFF_MAX_BOUNDING_RADIUS);
+}
+
+TUFF_HOT bool tuff_circle_polygon(tuff_vec2 center, tuff_real radius, const tuff_polygon *polygon, tuff_contact *contact)
+{
+    const tuff_vec2 origin = { TUFF_WHOLE(0), TUFF_WHOLE(0) };
+    tuff_mover mover;
+    tuff_vec2 offset;
+    if (polygon == NULL || !tuff_baked(polygon) || !tuff_circle_mover(&mover, radius)) return false;
+    /* No vertex is farther out than a bounding radius may be. */
+    if (!tuff_offset_within(tuff_vec2_flush(center), origin, TUFF_WHOLE(TUFF_MAX_BOUNDING_RADIUS) + mover.radius, &offset)) return false;
+    return tuff_circle_part(&mover, offset, polygon, false, contact) != TUFF_APART;
+}

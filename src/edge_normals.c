@@ -1,0 +1,37 @@
+/* SPDX-License-Identifier: Zlib
+   Copyright (c) 2026 the tuff authors
+
+   Normals of a polygon's edges, for hulls that turn and for shapes made at run time. */
+#include "inner.h"
+
+/* Twice the signed area about the first vertex: positive if the vertices go round from +x to +y. At most 30 * 2^55 (fixed). */
+static bool goes_from_x_to_y(const tuff_vec2 *vertices, uint8_t count)
+{
+    tuff_area area = 0;
+    uint8_t i;
+    for (i = 2; i < count; ++i) {
+        area += tuff_cross(tuff_vec2_gap(vertices[i - 1], vertices[0]), tuff_vec2_gap(vertices[i], vertices[0]));
+    }
+    return area >= 0;
+}
+
+void tuff_edge_normals(const tuff_vec2 *vertices, uint8_t count, tuff_unit2 *normals)
+{
+    uint8_t i;
+    if (vertices == NULL || normals == NULL || count < 3 || count > TUFF_MAX_VERTICES) return;
+    bool forward = goes_from_x_to_y(vertices, count);
+
+    /* Backwards, twice round at most: an edge without length finds the next one's normal already there. */
+    tuff_unit2 later = { TUFF_UNIT_ONE, 0 };
+    uint8_t rounds;
+    for (rounds = 0; rounds < 2; ++rounds) {
+        bool gaps = false;
+        for (i = count; i-- > 0;) {
+            tuff_vec2 from = vertices[i];
+            tuff_vec2 to = vertices[tuff_next_index(i, count)];
+            if (tuff_normalize(forward ? tuff_right_of(from, to) : tuff_right_of(to, from), &later) == 0) gaps = true;
+            normals[i] = later;
+        }
+        if (!gaps) return;
+    }
+}

@@ -1,0 +1,12 @@
+/* SPDX-License-Identifier: Zlib
+   Copyright (c) 2026 the tuff authors
+
+   A circle against a piece at world positions. */
+#include "inner.h"
+
+bool tuff_terrain_overlap_circle(const tuff_terrain *piece, tuff_vec2 center, tuff_real radius, tuff_contact *contact)
+{
+    tuff_mover mover;
+    if (piece == NULL || !tuff_position_ok(center) || !tuff_circle_mover(&mover, radius)) return false;
+    return tuff_piece_contact(piece, tuff_vec2_flush(center), &mover, contact);
+}
