@@ -18,7 +18,8 @@
      tuff_pushed                     position + overlap * normal, saturating
      tuff_floor, tuff_ceil           whole units
      tuff_position_ok, tuff_velocity_ok, tuff_number_ok
-     tuff_far_sub, tuff_far_dot, tuff_far_cross, tuff_far_cross_near, tuff_edge_side, tuff_far_inside     beams */
+     tuff_far_sub, tuff_far_dot, tuff_far_cross, tuff_far_cross_near, tuff_edge_side,
+     tuff_seam_margin, tuff_far_inside     beams */
 #ifndef TUFF_ARITH_H
 #define TUFF_ARITH_H
 
@@ -34,8 +35,8 @@
 #define tuff_far_direction   TUFF_LINK_NAME(far_direction)
 #define tuff_along           TUFF_LINK_NAME(along)
 
-/* Length of v, and its direction unless the length is 0. Fixed: the length to nearest, each component of the direction within
-   0.75 * 2^-30, (+-1, 0) and (0, +-1) exact. */
+/* Length of v, and its direction unless the length is 0. Fixed: the length to nearest, each component of the
+   direction within 0.75 * 2^-30, (+-1, 0) and (0, +-1) exact. */
 tuff_real tuff_normalize(tuff_vec2 v, tuff_unit2 *direction);
 
 /* If v . n < 0: v becomes (1 - friction) * v - (1 - friction + restitution) * (v . n) * n, within the speed limit.
@@ -49,7 +50,8 @@ bool tuff_chord_reaches(tuff_area across, tuff_far2 d, tuff_real radius);
 tuff_unit tuff_ratio(tuff_area numerator, tuff_area denominator);
 bool tuff_ratio_less(tuff_area n1, tuff_area d1, tuff_area n2, tuff_area d2);
 
-/* How far along the segment from a (outside) in steps of d the circle about the origin is entered; the segment is known to touch it. */
+/* How far along the segment from a (outside) in steps of d the circle about the origin is entered; the segment is
+   known to touch it. */
 tuff_unit tuff_circle_entry(tuff_far2 a, tuff_far2 d, tuff_real radius);
 
 /* Direction of d, which is not 0. */

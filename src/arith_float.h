@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: Zlib
    Copyright (c) 2026 the tuff authors
 
-   The inner arithmetic of the float build: the vocabulary of arith.h in float. Compiled with -ffp-contract=off. Machines that trap
-   denormals (N64) never meet one: whatever comes in below TUFF_TINY = 2^-48 counts as zero. A product of two such numbers, or of a
-   difference of two (2^-71 or more) and a normal's component (2^-32 or more), is above 2^-103, so even the last bit of a sum
-   of products (2^-126) is a normal number. */
+   The inner arithmetic of the float build: the vocabulary of arith.h in float. Compiled with -ffp-contract=off.
+   Machines that trap denormals (N64) never meet one: whatever comes in below TUFF_TINY = 2^-48 counts as zero. A
+   product of two such numbers, or of a difference of two (2^-71 or more) and a normal's component (2^-32 or more),
+   is above 2^-103, so even the last bit of a sum of products (2^-126) is a normal number. */
 #ifndef TUFF_ARITH_FLOAT_H
 #define TUFF_ARITH_FLOAT_H
 
@@ -19,6 +19,12 @@ typedef float tuff_far;
 
 static inline float tuff_abs(float a)   { return a < 0.0f ? -a : a; }
 
+static inline float tuff_clamp(float a, float limit)
+{
+    return a > limit ? limit : a < -limit ? -limit : a;
+}
+
+/* Zero for whatever is too small to matter. */
 static inline float tuff_flush(float a) { return a < TUFF_TINY && a > -TUFF_TINY ? 0.0f : a; }
 
 static inline tuff_vec2 tuff_vec2_flush(tuff_vec2 a)
@@ -83,7 +89,7 @@ static inline int32_t tuff_floor(tuff_real a)
 {
     if (a >= (float)TUFF_MAX_POSITION) return TUFF_MAX_POSITION;
     if (!(a > -(float)TUFF_MAX_POSITION)) return -(int32_t)TUFF_MAX_POSITION;
-    int32_t whole = (int32_t)a;
+    int32_t whole = (int32_t)tuff_flush(a);
     return (float)whole > a ? whole - 1 : whole;
 }
 
@@ -101,7 +107,7 @@ static inline bool tuff_offset_within(tuff_vec2 a, tuff_vec2 b, tuff_real radius
 /* Do the closed circles about a and b touch? */
 static inline bool tuff_circles_touch(tuff_vec2 a, tuff_real a_radius, tuff_vec2 b, tuff_real b_radius)
 {
-    float reach = a_radius + b_radius;
+    float reach = tuff_flush(a_radius) + tuff_flush(b_radius);
     tuff_vec2 d = tuff_vec2_gap(a, b);
     return tuff_abs(d.x) <= reach && tuff_abs(d.y) <= reach && tuff_dot(d, d) <= reach * reach;
 }
@@ -110,7 +116,7 @@ static inline bool tuff_circles_touch(tuff_vec2 a, tuff_real a_radius, tuff_vec2
 static inline tuff_real tuff_pushed(tuff_real position, tuff_real overlap, tuff_unit normal)
 {
     float moved = tuff_flush(position) + overlap * normal;
-    return moved > (float)TUFF_MAX_POSITION ? (float)TUFF_MAX_POSITION : moved < -(float)TUFF_MAX_POSITION ? -(float)TUFF_MAX_POSITION : moved;
+    return tuff_clamp(moved, (float)TUFF_MAX_POSITION);
 }
 
 /* --- beams ------------------------------------------------------------------------------------------------- */
@@ -122,14 +128,25 @@ static inline float tuff_far_dot(tuff_far2 a, tuff_far2 b)              { return
 static inline float tuff_far_cross(tuff_far2 a, tuff_far2 b)            { return tuff_cross(a, b); }
 static inline float tuff_far_cross_near(tuff_far2 d, tuff_vec2 v)       { return tuff_cross(d, v); }
 
-/* (to - from) x (p - from): positive where p lies to the left of the edge. Always reckoned from the lesser end, so that the two
-   parts that share an edge get the same number with opposite signs, and no beam slips between them. */
+/* (to - from) x (p - from): positive where p lies to the left of the edge. Always reckoned from the lesser end, so
+   that the two parts that share an edge get the same number with opposite signs, and no beam slips between them. */
 static inline float tuff_edge_side(tuff_far2 p, tuff_vec2 from, tuff_vec2 to)
 {
     bool ascending = from.x < to.x || (from.x == to.x && from.y <= to.y);
     tuff_vec2 base = ascending ? from : to;
     float side = tuff_cross(tuff_vec2_gap(ascending ? to : from, base), tuff_vec2_gap(p, base));
     return ascending ? side : -side;
+}
+
+/* How far, as tuff_edge_side counts, parts reach beyond the inner edge that they share, so that the line's and the edge's
+   rounding cannot both miss a beam along it: 2^-11 units, or 2^-22 of the beam's length if that is more. */
+static inline tuff_area tuff_seam_margin(tuff_far2 d, tuff_vec2 from, tuff_vec2 to)
+{
+    float length = tuff_abs(d.x) + tuff_abs(d.y);
+    float margin = length > 2048.0f ? length * 2.3841858e-7f : 4.8828125e-4f;
+    float x = tuff_abs(to.x - from.x);
+    float y = tuff_abs(to.y - from.y);
+    return margin * (x > y ? x : y);
 }
 
 /* Is p inside the closed disc about the origin? */

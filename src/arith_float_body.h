@@ -7,8 +7,7 @@
 /* A component below 2^-32 turns the direction by less than its rounding. */
 static float tuff_component(float component, float length)
 {
-    float unit = tuff_abs(component) < length * 2.3283064e-10f ? 0.0f : component / length;
-    return unit > 1.0f ? 1.0f : unit < -1.0f ? -1.0f : unit;
+    return tuff_abs(component) < length * 2.3283064e-10f ? 0.0f : tuff_clamp(component / length, 1.0f);
 }
 
 tuff_real tuff_normalize(tuff_vec2 v, tuff_unit2 *direction)
@@ -23,8 +22,7 @@ tuff_real tuff_normalize(tuff_vec2 v, tuff_unit2 *direction)
 
 static float tuff_speed(float v)
 {
-    float speed = tuff_flush(v);
-    return speed > (float)TUFF_MAX_SPEED ? (float)TUFF_MAX_SPEED : speed < -(float)TUFF_MAX_SPEED ? -(float)TUFF_MAX_SPEED : speed;
+    return tuff_clamp(tuff_flush(v), (float)TUFF_MAX_SPEED);
 }
 
 void tuff_reflect(tuff_vec2 *v, tuff_unit2 n, tuff_real restitution, tuff_real friction)
@@ -63,7 +61,8 @@ tuff_unit2 tuff_far_direction(tuff_far2 d)
     return direction;
 }
 
-/* The foot of the center lies -a . u along the line and a x u beside it; the circle is entered sqrt(radius^2 - beside^2) earlier. */
+/* The foot of the center lies -a . u along the line and a x u beside it; the circle is entered sqrt(radius^2 -
+   beside^2) earlier. */
 tuff_unit tuff_circle_entry(tuff_far2 a, tuff_far2 d, tuff_real radius)
 {
     tuff_unit2 u = { 1.0f, 0.0f };
@@ -72,7 +71,7 @@ tuff_unit tuff_circle_entry(tuff_far2 a, tuff_far2 d, tuff_real radius)
     float beside = tuff_abs(a.x * u.y - a.y * u.x);
     float chord = beside < radius ? sqrtf((radius - beside) * (radius + beside)) : 0.0f;
     float entry = ahead - chord;
-    return entry > 0.0f ? tuff_ratio(entry, length) : 0.0f;
+    return entry > 0.0f && length > 0.0f ? tuff_ratio(entry, length) : 0.0f;
 }
 
 tuff_vec2 tuff_along(tuff_far2 a, tuff_far2 d, tuff_unit fraction)

@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: Zlib
    Copyright (c) 2026 the tuff authors
 
-   The inner arithmetic of the fixed build: the vocabulary of arith.h in integers. Formats: tuff_real Q16.16, tuff_unit Q2.30,
-   tuff_wide Q18.46 (unit * real), tuff_area Q32.32 (real * real), tuff_far Q17.16 in 64 bits (the difference of two
-   positions has 33 bits). Within the ranges of shapes.h nothing below wraps; beyond them (shapes that the checks refuse)
-   sums and products wrap without undefined behavior, which is why they go through unsigned types. */
+   The inner arithmetic of the fixed build: the vocabulary of arith.h in integers. Formats: tuff_real Q16.16,
+   tuff_unit Q2.30, tuff_wide Q18.46 (unit * real), tuff_area Q32.32 (real * real), tuff_far Q17.16 in 64 bits (the
+   difference of two positions has 33 bits). Within the ranges of shapes.h nothing below wraps; beyond them (shapes
+   that the checks refuse) sums and products wrap without undefined behavior, which is why they go through unsigned
+   types. */
 #ifndef TUFF_ARITH_Q16_H
 #define TUFF_ARITH_Q16_H
 
@@ -12,7 +13,7 @@ typedef int64_t tuff_wide;
 typedef int64_t tuff_area;
 typedef int64_t tuff_far;
 
-#define TUFF_WIDE_LOWEST  (-TUFF_INT64_MAX)
+#define TUFF_WIDE_LOWEST  (-((tuff_wide)1 << 62))             /* projections are above -2^60 */
 #define TUFF_WIDE_NEAR    ((tuff_wide)1 << TUFF_UNIT_BITS)   /* 1 LSB; the rounding of a projection is at most 1/4 */
 #define TUFF_UNIT_ONE     ((tuff_unit)1 << TUFF_UNIT_BITS)
 
@@ -95,8 +96,8 @@ static inline bool tuff_number_ok(tuff_real a)          { (void)a; return true; 
 static inline int32_t tuff_floor(tuff_real a) { return a >> TUFF_REAL_BITS; }
 static inline int32_t tuff_ceil(tuff_real a)  { return (int32_t)(((int64_t)a + 65535) >> TUFF_REAL_BITS); }
 
-/* a - b if it lies inside the open circle of this radius (0 .. 2 * TUFF_MAX_BOUNDING_RADIUS); else false. The box first: it keeps
-   the squares within 64 bits. */
+/* a - b if it lies inside the open circle of this radius (0 .. 2 * TUFF_MAX_BOUNDING_RADIUS); else false. The box
+   first: it keeps the squares within 64 bits. */
 static inline bool tuff_offset_within(tuff_vec2 a, tuff_vec2 b, tuff_real radius, tuff_vec2 *offset)
 {
     int64_t x = (int64_t)a.x - b.x;
@@ -107,8 +108,8 @@ static inline bool tuff_offset_within(tuff_vec2 a, tuff_vec2 b, tuff_real radius
     return tuff_dot(*offset, *offset) < tuff_square_of(radius);
 }
 
-/* Do the closed circles about a and b touch? Radii 0 or more: sums to 2^32, squares to 2^64, so unsigned; after the box the sum
-   of the squares could reach 2^65: it is compared by a subtraction instead. */
+/* Do the closed circles about a and b touch? Radii 0 or more: sums to 2^32, squares to 2^64, so unsigned; after the
+   box the sum of the squares could reach 2^65: it is compared by a subtraction instead. */
 static inline bool tuff_circles_touch(tuff_vec2 a, tuff_real a_radius, tuff_vec2 b, tuff_real b_radius)
 {
     int64_t reach = (int64_t)a_radius + b_radius;
@@ -130,7 +131,8 @@ static inline tuff_real tuff_pushed(tuff_real position, tuff_real overlap, tuff_
 
 typedef struct tuff_far2 { tuff_far x, y; } tuff_far2;
 
-/* What tuff_far_dot and tuff_far_cross answer where the exact value is beyond 2^61: larger than whatever it is compared with. */
+/* What tuff_far_dot and tuff_far_cross answer where the exact value is beyond 2^61: larger than whatever it is
+   compared with. */
 #define TUFF_FAR_HUGE ((int64_t)1 << 62)
 
 static inline tuff_far2 tuff_far_sub(tuff_vec2 a, tuff_vec2 b)
@@ -139,8 +141,8 @@ static inline tuff_far2 tuff_far_sub(tuff_vec2 a, tuff_vec2 b)
     return difference;
 }
 
-/* a * b + c * d of 34-bit factors: exact where it is within 2^61 - 2^51, else +-TUFF_FAR_HUGE. High and low words of b and d:
-   |high| < 2^18, so that the sum of the high products has at most 53 bits, that of the low ones at most 51. */
+/* a * b + c * d of 34-bit factors: exact where it is within 2^61 - 2^51, else +-TUFF_FAR_HUGE. High and low words of
+   b and d: |high| < 2^18, so that the sum of the high products has at most 53 bits, that of the low ones at most 51. */
 static inline int64_t tuff_far_sum(int64_t a, int64_t b, int64_t c, int64_t d)
 {
     int64_t high = a * (b >> 16) + c * (d >> 16);
@@ -165,6 +167,15 @@ static inline int64_t tuff_edge_side(tuff_far2 p, tuff_vec2 from, tuff_vec2 to)
     int64_t ex = (int64_t)to.x - from.x;
     int64_t ey = (int64_t)to.y - from.y;
     return (int64_t)((uint64_t)ex * (uint64_t)(p.y - from.y) - (uint64_t)ey * (uint64_t)(p.x - from.x));
+}
+
+/* A seam between two parts needs no margin where sides are exact. */
+static inline tuff_area tuff_seam_margin(tuff_far2 d, tuff_vec2 from, tuff_vec2 to)
+{
+    (void)d;
+    (void)from;
+    (void)to;
+    return 0;
 }
 
 /* Is p inside the closed disc about the origin? */

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Zlib
    Copyright (c) 2026 the tuff authors
 
-   Square roots, directions, the bounce and the beam's fractions in integers. Only arith.c includes this. No floating point, and
-   no division but in the three functions of a beam's first hit. */
+   Square roots, directions, the bounce and the beam's fractions in integers. Only arith.c includes this. No floating
+   point, and no division but in the three functions of a beam's first hit. */
 
 /* An even shift that brings q > 0 to [2^62, 2^64). */
 static unsigned tuff_even_shift(uint64_t q)
@@ -46,8 +46,8 @@ static uint32_t tuff_inverse_root(uint64_t q)
     return y > TUFF_UINT32_MAX ? TUFF_UINT32_MAX : (uint32_t)y;
 }
 
-/* The integer closest to sqrt(square), from inverse = tuff_inverse_root(square << shift). sqrt(u) = u / sqrt(u) is within two steps of the
-   integer; n is closest if n^2 - n < square <= n^2 + n. */
+/* The integer closest to sqrt(square), from inverse = tuff_inverse_root(square << shift). sqrt(u) = u / sqrt(u) is
+   within two steps of the integer; n is closest if n^2 - n < square <= n^2 + n. */
 static uint32_t tuff_root_from(uint64_t square, unsigned shift, uint32_t inverse)
 {
     uint64_t root = ((((square << shift) >> 32) * inverse) >> 31) >> (shift / 2);
@@ -149,10 +149,10 @@ bool tuff_ratio_less(tuff_area n1, tuff_area d1, tuff_area n2, tuff_area d2)
     return left.high < right.high || (left.high == right.high && left.low < right.low);
 }
 
-/* Bits beyond the 33 highest of the denominator do not reach the result. */
+/* Bits beyond the 32 highest of the denominator do not reach the result. */
 tuff_unit tuff_ratio(tuff_area numerator, tuff_area denominator)
 {
-    while (denominator >> 33 != 0) {
+    while (denominator >> 32 != 0) {
         numerator >>= 1;
         denominator >>= 1;
     }
@@ -177,8 +177,9 @@ tuff_unit2 tuff_far_direction(tuff_far2 d)
     return direction;
 }
 
-/* The foot of the center lies -a . u along the line and a x u beside it; the circle is entered sqrt(radius^2 - beside^2) earlier. All three
-   lengths in Q21 (5 bits below the LSB): radius < 2^31.5 / 2^21, so the squares fit 64 bits. |a| <= 2^32.5, so a . u in Q46 fits. */
+/* The foot of the center lies -a . u along the line and a x u beside it; the circle is entered sqrt(radius^2 -
+   beside^2) earlier. All three lengths in Q21 (5 bits below the LSB): radius < 2^31.5 / 2^21, so the squares fit 64
+   bits. |a| <= 2^32.5, so a . u in Q46 fits. */
 tuff_unit tuff_circle_entry(tuff_far2 a, tuff_far2 d, tuff_real radius)
 {
     tuff_vec2 reduced;

@@ -15,7 +15,7 @@ static bool clear_of_bounds(const tuff_beam *beam, tuff_real bounding_radius)
 bool tuff_beam_touches_piece(const tuff_terrain *piece, tuff_vec2 a, tuff_vec2 b, tuff_beam *beam)
 {
     uint8_t i;
-    if (!(piece->bounding_radius > TUFF_WHOLE(0)) || piece->bounding_radius > TUFF_WHOLE(TUFF_MAX_BOUNDING_RADIUS)) return false;
+    if (!tuff_is_piece(piece)) return false;
     *beam = tuff_beam_relative(a, b, piece->position);
     if (clear_of_bounds(beam, piece->bounding_radius)) return false;
     if (!tuff_piece_baked(piece)) {
@@ -32,6 +32,7 @@ bool tuff_segment_terrain_intersect(const tuff_world *world, tuff_vec2 a, tuff_v
     uint16_t piece;
     tuff_beam beam;
     tuff_walk walk;
+    TUFF_ASSERT(world != NULL);
     if (world == NULL || world->terrain == NULL || !tuff_beam_ends_ok(a, b)) return false;
     tuff_walk_line(&walk, world, a, b);
     while ((piece = tuff_walk_next(&walk)) != TUFF_NO_PIECE) {

@@ -20,17 +20,19 @@ static tuff_unit2 against(tuff_far2 d)
     return d.x == 0 && d.y == 0 ? plus_x : tuff_unit2_negate(tuff_far_direction(d));
 }
 
+/* A beam from outside meets an outline edge before any internal one, whatever rounding makes of their fractions. */
 static void keep_earliest(tuff_entry *entry, tuff_unit fraction, tuff_unit2 normal, bool internal)
 {
-    bool earlier = !entry->found || fraction < entry->fraction;
-    if (!earlier && !(fraction == entry->fraction && entry->internal && !internal)) return;
+    bool better = entry->internal != internal ? entry->internal : fraction < entry->fraction;
+    if (entry->found && !better) return;
     entry->fraction = fraction;
     entry->normal = normal;
     entry->internal = internal;
     entry->found = true;
 }
 
-/* The edge that is entered last (Cyrus and Beck); of those entered at once an outline edge. A start outside of no edge is inside. */
+/* The edge that is entered last (Cyrus and Beck); of those entered at once an outline edge. A start outside of no
+   edge is inside. */
 static void enter_part(tuff_entry *entry, const tuff_polygon *polygon)
 {
     bool forward = tuff_goes_forward(polygon);
@@ -44,7 +46,8 @@ static void enter_part(tuff_entry *entry, const tuff_polygon *polygon)
         tuff_vec2 to = polygon->vertices[forward ? next : i];
         tuff_area outside = -tuff_edge_side(entry->a, from, to);
         tuff_area travel = outside + tuff_edge_side(entry->b, from, to);
-        if (outside <= 0 || travel < outside) continue;
+        if (outside <= (tuff_edge_is_internal(polygon, i) ? tuff_seam_margin(entry->d, from, to) : 0)) continue;
+        if (travel < outside) travel = outside;     /* b is within the margin of a seam */
         bool later = edge == TUFF_MAX_VERTICES || tuff_ratio_less(outside_last, travel_last, outside, travel);
         bool better = !later && tuff_edge_is_internal(polygon, edge) && !tuff_ratio_less(outside, travel, outside_last, travel_last);
         if (!later && !better) continue;
@@ -70,16 +73,21 @@ static void enter_circle(tuff_entry *entry, tuff_real radius)
     keep_earliest(entry, fraction, normal, false);
 }
 
-static void enter_piece(tuff_entry *entry, const tuff_terrain *piece, const tuff_beam *beam)
+/* Of a piece that beam, the same segment with its ends in order, is known to touch. */
+static tuff_entry enter_piece(const tuff_terrain *piece, tuff_vec2 a, tuff_vec2 b, const tuff_beam *beam)
 {
+    tuff_entry entry = {
+        tuff_far_sub(a, piece->position), tuff_far_sub(b, piece->position), tuff_far_sub(b, a), 0, { 0, 0 }, false, false
+    };
     uint8_t i;
     if (!tuff_piece_baked(piece)) {
-        enter_circle(entry, tuff_flush(piece->radius));
-        return;
+        enter_circle(&entry, tuff_flush(piece->radius));
+        return entry;
     }
     for (i = 0; i < piece->part_count; ++i) {
-        if (tuff_beam_touches_part(beam, &piece->parts[i])) enter_part(entry, &piece->parts[i]);
+        if (tuff_beam_touches_part(beam, &piece->parts[i])) enter_part(&entry, &piece->parts[i]);
     }
+    return entry;
 }
 
 bool tuff_segment_terrain_first_hit(const tuff_world *world, tuff_vec2 a, tuff_vec2 b, tuff_beam_hit *hit)
@@ -88,6 +96,7 @@ bool tuff_segment_terrain_first_hit(const tuff_world *world, tuff_vec2 a, tuff_v
     uint16_t first = TUFF_NO_PIECE;
     tuff_beam beam;
     tuff_walk walk;
+    TUFF_ASSERT(world != NULL && hit != NULL);
     if (world == NULL || world->terrain == NULL || !tuff_beam_ends_ok(a, b)) return false;
     a = tuff_vec2_flush(a);
     b = tuff_vec2_flush(b);
@@ -95,9 +104,10 @@ bool tuff_segment_terrain_first_hit(const tuff_world *world, tuff_vec2 a, tuff_v
     while ((piece = tuff_walk_next(&walk)) != TUFF_NO_PIECE) {
         const tuff_terrain *terrain = &world->terrain[piece];
         if (!tuff_beam_touches_piece(terrain, a, b, &beam)) continue;
-        tuff_entry entry = { tuff_far_sub(a, terrain->position), tuff_far_sub(b, terrain->position), tuff_far_sub(b, a), 0, { 0, 0 }, false, false };
-        enter_piece(&entry, terrain, &beam);
-        if (first != TUFF_NO_PIECE && (entry.fraction > hit->fraction || (entry.fraction == hit->fraction && piece > first))) continue;
+        tuff_entry entry = enter_piece(terrain, a, b, &beam);
+        bool later = first != TUFF_NO_PIECE &&
+                     (entry.fraction > hit->fraction || (entry.fraction == hit->fraction && piece > first));
+        if (later) continue;
         first = piece;
         hit->fraction = entry.fraction;
         hit->normal = entry.normal;

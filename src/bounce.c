@@ -15,6 +15,7 @@ static tuff_real clamped(tuff_real a, int32_t limit)
 
 void tuff_bounce(tuff_body *body, const tuff_contact *contact)
 {
+    TUFF_ASSERT(body != NULL && contact != NULL);
     if (body == NULL || contact == NULL || !(contact->overlap > TUFF_WHOLE(0))) return;
     if (!tuff_position_ok(body->position) || !tuff_velocity_ok(body->velocity) || !tuff_number_ok(contact->overlap)) return;
     const tuff_material *material = body->material != NULL ? body->material : &tuff_default_material;

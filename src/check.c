@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: Zlib
    Copyright (c) 2026 the tuff authors
 
-   Validation of shapes, pieces, bodies and worlds. Every limit is the constant of shapes.h that the library computes with. */
+   Validation of shapes, pieces, bodies and worlds. Every limit is the constant of shapes.h that the library computes
+   with. */
 #include "inner.h"
 
 /* How far each component of a normal may be from that of its edge: ten times what rounding makes of a good one in float. */
@@ -37,7 +38,8 @@ static int turn_at(const tuff_polygon *polygon, uint8_t i)
     return cross > 0 ? 1 : cross < 0 ? -1 : 0;
 }
 
-/* Is the edge from vertex i on the way up? Level edges count with the way right, so that a turn all round changes it twice. */
+/* Is the edge from vertex i on the way up? Level edges count with the way right, so that a turn all round changes it
+   twice. */
 static bool ascends(const tuff_polygon *polygon, uint8_t i)
 {
     tuff_vec2 from = polygon->vertices[i];
@@ -45,8 +47,8 @@ static bool ascends(const tuff_polygon *polygon, uint8_t i)
     return to.y > from.y || (to.y == from.y && to.x > from.x);
 }
 
-/* Convex: all turns of one sign, and once round: the edges change between up and down twice. An edge that turns straight back is
-   no turn by its sign but a change too many, or leaves no area. */
+/* Convex: all turns of one sign, and once round: the edges change between up and down twice. An edge that turns
+   straight back is no turn by its sign but a change too many, or leaves no area. */
 static tuff_fault check_convex(const tuff_polygon *polygon)
 {
     bool left = false;
@@ -177,7 +179,7 @@ tuff_fault tuff_check_terrain(const tuff_terrain *piece)
     if (!tuff_number_ok(piece->radius) || !tuff_number_ok(piece->bounding_radius)) return TUFF_FAULT_NOT_FINITE;
     if (!tuff_position_ok(piece->position)) return TUFF_FAULT_POSITION_RANGE;
     if (!tuff_in_range(piece->radius, TUFF_MAX_RADIUS)) return TUFF_FAULT_RADIUS_RANGE;
-    if (!(piece->bounding_radius > TUFF_WHOLE(0)) || !tuff_in_range(piece->bounding_radius, TUFF_MAX_BOUNDING_RADIUS)) return TUFF_FAULT_BOUNDING_RANGE;
+    if (!tuff_is_piece(piece)) return TUFF_FAULT_BOUNDING_RANGE;
     if (piece->bounding_radius < piece->radius) return TUFF_FAULT_BOUNDING_TOO_SMALL;
     return piece->parts == NULL ? TUFF_OK : check_parts(piece);
 }
@@ -247,10 +249,12 @@ static tuff_fault check_entry(const tuff_chunks *chunks, uint16_t number, const 
     if (number >= chunks->capacity || chunks->entries[number].next == 0) return exists ? TUFF_FAULT_INDEX_MISSING : TUFF_OK;
     const tuff_chunk_entry *entry = &chunks->entries[number];
     bool large = is_listed(chunks, chunks->large, number);
-    if (!large && !is_listed(chunks, chunks->buckets[tuff_bucket(chunks, entry->x, entry->y)], number)) return TUFF_FAULT_INDEX_BROKEN;
+    uint16_t bucket = chunks->buckets[tuff_bucket(chunks, entry->x, entry->y)];
+    if (!large && !is_listed(chunks, bucket, number)) return TUFF_FAULT_INDEX_BROKEN;
     if (!exists) return TUFF_FAULT_INDEX_STALE;
-    bool there = tuff_floor(piece->position.x) >> tuff_pitch(chunks) == entry->x && tuff_floor(piece->position.y) >> tuff_pitch(chunks) == entry->y;
-    return there && (large || tuff_ceil(piece->bounding_radius) <= chunks->reach) ? TUFF_OK : TUFF_FAULT_INDEX_MOVED;
+    int32_t x = tuff_chunk_of(chunks, tuff_floor(piece->position.x));
+    int32_t y = tuff_chunk_of(chunks, tuff_floor(piece->position.y));
+    return x == entry->x && y == entry->y && (large || tuff_ceil(piece->bounding_radius) <= chunks->reach) ? TUFF_OK : TUFF_FAULT_INDEX_MOVED;
 }
 
 static tuff_fault check_index(const tuff_world *world, uint16_t *piece)

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Zlib
    Copyright (c) 2026 the tuff authors
 
-   The index of chunks: where pieces go in and out. It knows positions and bounding radii, not shapes. No list is followed for more steps than
-   there are entries, so that overwritten storage cannot hang a game. */
+   The index of chunks: where pieces go in and out. It knows positions and bounding radii, not shapes. No list is
+   followed for more steps than there are entries, so that overwritten storage cannot hang a game. */
 #include "inner.h"
 
 void tuff_chunks_clear(tuff_chunks *chunks)
@@ -36,7 +36,8 @@ bool tuff_chunks_remove(tuff_chunks *chunks, uint16_t piece)
 {
     if (!tuff_index_in_use(chunks) || piece >= chunks->capacity || chunks->entries[piece].next == 0) return false;
     const tuff_chunk_entry *entry = &chunks->entries[piece];
-    return unlink_from(chunks, &chunks->buckets[tuff_bucket(chunks, entry->x, entry->y)], piece) || unlink_from(chunks, &chunks->large, piece);
+    uint16_t *bucket = &chunks->buckets[tuff_bucket(chunks, entry->x, entry->y)];
+    return unlink_from(chunks, bucket, piece) || unlink_from(chunks, &chunks->large, piece);
 }
 
 /* At the end of a bucket: within a chunk the order is that of insertion. */
@@ -63,14 +64,15 @@ static uint16_t *place_among_large(tuff_chunks *chunks, int32_t x, int32_t y)
 
 bool tuff_chunks_insert(tuff_chunks *chunks, uint16_t piece, tuff_vec2 position, tuff_real bounding_radius)
 {
+    TUFF_ASSERT(chunks != NULL);
     if (chunks == NULL || chunks->buckets == NULL || chunks->entries == NULL || chunks->bucket_count == 0) return false;
     if (piece >= chunks->capacity || piece >= TUFF_MAX_PIECES) return false;
     if (!tuff_position_ok(position) || !tuff_in_range(bounding_radius, TUFF_MAX_BOUNDING_RADIUS)) return false;
     (void)tuff_chunks_remove(chunks, piece);
     if (!(bounding_radius > TUFF_WHOLE(0))) return true;
 
-    int32_t x = tuff_floor(position.x) >> tuff_pitch(chunks);
-    int32_t y = tuff_floor(position.y) >> tuff_pitch(chunks);
+    int32_t x = tuff_chunk_of(chunks, tuff_floor(position.x));
+    int32_t y = tuff_chunk_of(chunks, tuff_floor(position.y));
     int32_t reach = tuff_ceil(bounding_radius);
     bool large = reach > (int32_t)1 << tuff_pitch(chunks);
     uint16_t *link = large ? place_among_large(chunks, x, y) : end_of_bucket(chunks, x, y);

@@ -9,6 +9,7 @@ bool tuff_circle_circle(tuff_vec2 center, tuff_real radius, tuff_real obstacle_r
     const tuff_vec2 origin = { TUFF_WHOLE(0), TUFF_WHOLE(0) };
     tuff_unit2 normal = { TUFF_UNIT_ONE, 0 };
     tuff_vec2 offset;
+    TUFF_ASSERT(contact != NULL);
     if (!tuff_in_range(radius, TUFF_MAX_BOUNDING_RADIUS) || !tuff_in_range(obstacle_radius, TUFF_MAX_BOUNDING_RADIUS)) return false;
 
     tuff_real reach = tuff_flush(radius) + tuff_flush(obstacle_radius);

@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: Zlib
    Copyright (c) 2026 the tuff authors
 
-   Circle against convex polygon. The signed distance to the polygon is the largest signed distance to its edge lines wherever the
-   nearest point lies on an edge, so one dot product an edge finds a separating axis or the nearest edge; only where that edge's
-   end is nearer is there a square root to take (Ericson, Real-Time Collision Detection, 5.1 and 5.5.7). */
+   Circle against convex polygon. The signed distance to the polygon is the largest signed distance to its edge lines
+   wherever the nearest point lies on an edge, so one dot product an edge finds a separating axis or the nearest
+   edge; only where that edge's end is nearer is there a square root to take (Ericson, Real-Time Collision Detection,
+   5.1 and 5.5.7). */
 #include "inner.h"
 
 /* The Voronoi region of the center: an edge, or a vertex with the edge before it. */
@@ -23,8 +24,9 @@ static tuff_region at_vertex(tuff_vec2 center, const tuff_polygon *polygon, uint
     return region;
 }
 
-/* From the edge that faces the center most, walk to the region the center is in. Mostly no step is taken: it is the edge itself or one of its
-   ends. Where edges are nearly in line, rounded projections may favor an edge farther on; exact products of the edges do not. */
+/* From the edge that faces the center most, walk to the region the center is in. Mostly no step is taken: it is the
+   edge itself or one of its ends. Where edges are nearly in line, rounded projections may favor an edge farther on;
+   exact products of the edges do not. */
 static tuff_region find_region(tuff_vec2 center, const tuff_polygon *polygon, uint8_t edge)
 {
     const tuff_vec2 *v = polygon->vertices;
@@ -66,7 +68,8 @@ static tuff_standing edge_contact(tuff_real radius, const tuff_polygon *polygon,
     return standing_at(polygon, edge);
 }
 
-static tuff_standing vertex_contact(tuff_vec2 center, tuff_real radius, const tuff_polygon *polygon, tuff_region region, tuff_contact *contact)
+static tuff_standing vertex_contact(tuff_vec2 center, tuff_real radius, const tuff_polygon *polygon, tuff_region region,
+                                    tuff_contact *contact)
 {
     tuff_vec2 d = tuff_vec2_gap(center, polygon->vertices[region.vertex]);
     tuff_unit2 normal = polygon->normals[region.edge];
@@ -95,7 +98,8 @@ static tuff_standing outline_contact(tuff_vec2 center, tuff_real radius, const t
     return edge == TUFF_MAX_VERTICES ? TUFF_APART : edge_contact(radius, polygon, edge, best, contact);
 }
 
-TUFF_HOT tuff_standing tuff_circle_part(tuff_mover *mover, tuff_vec2 center, const tuff_polygon *polygon, bool outline_only, tuff_contact *contact)
+TUFF_HOT tuff_standing tuff_circle_part(tuff_mover *mover, tuff_vec2 center, const tuff_polygon *polygon, bool outline_only,
+                                        tuff_contact *contact)
 {
     const tuff_real radius = mover->radius;
     const tuff_wide limit = tuff_widen(radius);
@@ -124,6 +128,7 @@ TUFF_HOT tuff_standing tuff_circle_part(tuff_mover *mover, tuff_vec2 center, con
 bool tuff_circle_mover(tuff_mover *mover, tuff_real radius)
 {
     mover->test = tuff_circle_part;
+    TUFF_ASSERT(tuff_in_range(radius, TUFF_MAX_BOUNDING_RADIUS));
     mover->radius = tuff_flush(radius);
     return tuff_in_range(radius, TUFF_MAX_BOUNDING_RADIUS);
 }
@@ -133,6 +138,7 @@ TUFF_HOT bool tuff_circle_polygon(tuff_vec2 center, tuff_real radius, const tuff
     const tuff_vec2 origin = { TUFF_WHOLE(0), TUFF_WHOLE(0) };
     tuff_mover mover;
     tuff_vec2 offset;
+    TUFF_ASSERT(polygon != NULL && contact != NULL);
     if (polygon == NULL || !tuff_baked(polygon) || !tuff_circle_mover(&mover, radius)) return false;
     /* No vertex is farther out than a bounding radius may be. */
     if (!tuff_offset_within(tuff_vec2_flush(center), origin, TUFF_WHOLE(TUFF_MAX_BOUNDING_RADIUS) + mover.radius, &offset)) return false;

@@ -5,13 +5,17 @@
    index and the shapes. */
 #include "inner.h"
 
-/* One push with its report. */
-static void resolve(tuff_body *body, const tuff_touch *touch, tuff_touches *touches)
+/* One push with its report. False: the body is where it was: in float an overlap may be less than a step of the position,
+   and trying again would find it again. */
+static bool resolve(tuff_body *body, const tuff_touch *touch, tuff_touches *touches)
 {
+    tuff_vec2 before = body->position;
     tuff_bounce(body, &touch->contact);
-    if (touches == NULL) return;
-    if (touches->list != NULL && touches->count < touches->capacity) touches->list[touches->count] = *touch;
-    ++touches->count;
+    if (touches != NULL) {
+        if (touches->list != NULL && touches->count < touches->capacity) touches->list[touches->count] = *touch;
+        ++touches->count;
+    }
+    return body->position.x != before.x || body->position.y != before.y;
 }
 
 static bool touch_piece(const tuff_world *world, const tuff_body *body, tuff_mover *mover, tuff_touch *touch)
@@ -28,9 +32,9 @@ static uint16_t collide_in_turn(const tuff_world *world, tuff_body *body, tuff_m
     tuff_walk_box(&walk, world, body->position, mover->radius, true);
     while ((touch.piece = tuff_walk_next(&walk)) != TUFF_NO_PIECE) {
         while (touch_piece(world, body, mover, &touch)) {
-            resolve(body, &touch, touches);
+            bool moved = resolve(body, &touch, touches);
             if (++pushes == TUFF_MAX_PUSHES) return pushes;
-            if (world->terrain[touch.piece].part_count < 2) break;
+            if (!moved || world->terrain[touch.piece].part_count < 2) break;
         }
     }
     return pushes;
@@ -55,9 +59,10 @@ static bool find_deepest(const tuff_world *world, const tuff_body *body, tuff_mo
 static uint16_t collide_deepest_first(const tuff_world *world, tuff_body *body, tuff_mover *mover, tuff_touches *touches)
 {
     uint16_t pushes = 0;
+    bool moved = true;
     tuff_touch touch;
-    while (pushes < TUFF_MAX_PUSHES && find_deepest(world, body, mover, &touch)) {
-        resolve(body, &touch, touches);
+    while (moved && pushes < TUFF_MAX_PUSHES && find_deepest(world, body, mover, &touch)) {
+        moved = resolve(body, &touch, touches);
         ++pushes;
     }
     return pushes;
@@ -65,6 +70,7 @@ static uint16_t collide_deepest_first(const tuff_world *world, tuff_body *body, 
 
 uint16_t tuff_collide(const tuff_world *world, tuff_body *body, tuff_mover *mover, tuff_touches *touches)
 {
+    TUFF_ASSERT(world != NULL && body != NULL);
     if (touches != NULL) touches->count = 0;
     if (world == NULL || world->terrain == NULL || body == NULL) return 0;
     if (!tuff_position_ok(body->position) || !tuff_velocity_ok(body->velocity)) return 0;

@@ -4,7 +4,8 @@
    The collide calls for hulls, or circles where the hull is NULL; with and without a report. */
 #include "inner.h"
 
-uint16_t tuff_terrain_collide_report(const tuff_world *world, tuff_body *body, tuff_real radius, const tuff_polygon *hull, tuff_touches *touches)
+uint16_t tuff_terrain_collide_report(const tuff_world *world, tuff_body *body, tuff_real radius, const tuff_polygon *hull,
+                                     tuff_touches *touches)
 {
     tuff_unit2 scratch[TUFF_MAX_VERTICES];
     tuff_mover mover;
@@ -25,7 +26,8 @@ uint16_t tuff_floater_collide_report(tuff_body *body, tuff_real radius, const tu
     return tuff_terrain_collide_report(&world, body, radius, hull, touches);
 }
 
-uint16_t tuff_floater_collide(tuff_body *body, tuff_real radius, const tuff_terrain *floaters, uint16_t count, const tuff_polygon *hull)
+uint16_t tuff_floater_collide(tuff_body *body, tuff_real radius, const tuff_terrain *floaters, uint16_t count,
+                              const tuff_polygon *hull)
 {
     return tuff_floater_collide_report(body, radius, floaters, count, hull, TUFF_ORDER_ITERATION, NULL);
 }

@@ -4,7 +4,8 @@
    Normals of a polygon's edges, for hulls that turn and for shapes made at run time. */
 #include "inner.h"
 
-/* Twice the signed area about the first vertex: positive if the vertices go round from +x to +y. At most 30 * 2^55 (fixed). */
+/* Twice the signed area about the first vertex: positive if the vertices go round from +x to +y. At most 30 * 2^55
+   (fixed). */
 static bool goes_from_x_to_y(const tuff_vec2 *vertices, uint8_t count)
 {
     tuff_area area = 0;
@@ -18,6 +19,7 @@ static bool goes_from_x_to_y(const tuff_vec2 *vertices, uint8_t count)
 void tuff_edge_normals(const tuff_vec2 *vertices, uint8_t count, tuff_unit2 *normals)
 {
     uint8_t i;
+    TUFF_ASSERT(vertices != NULL && normals != NULL && count >= 3 && count <= TUFF_MAX_VERTICES);
     if (vertices == NULL || normals == NULL || count < 3 || count > TUFF_MAX_VERTICES) return;
     bool forward = goes_from_x_to_y(vertices, count);
 

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Zlib
    Copyright (c) 2026 the tuff authors
 
-   A sentence for each fault. A switch, not a table: no copy in RAM on machines that cannot read constants in place, and a compiler's warning where one
-   is missing. */
+   A sentence for each fault. A switch, not a table: no copy in RAM on machines that cannot read constants in place,
+   and a compiler's warning where one is missing. */
 #include "tuff/check.h"
 
 const char *tuff_fault_text(tuff_fault fault)

@@ -14,6 +14,7 @@
 #define tuff_hull_mover          TUFF_LINK_NAME(hull_mover)
 #define tuff_piece_contact       TUFF_LINK_NAME(piece_contact)
 #define tuff_collide             TUFF_LINK_NAME(collide)
+#define tuff_beam_relative       TUFF_LINK_NAME(beam_relative)
 #define tuff_beam_touches_part   TUFF_LINK_NAME(beam_touches_part)
 #define tuff_beam_touches_circle TUFF_LINK_NAME(beam_touches_circle)
 #define tuff_beam_touches_piece  TUFF_LINK_NAME(beam_touches_piece)
@@ -53,7 +54,8 @@ static inline bool tuff_edge_is_internal(const tuff_polygon *polygon, uint8_t ed
 static inline uint8_t tuff_next_index(uint8_t i, uint8_t count)     { return (uint8_t)(i + 1 == count ? 0 : i + 1); }
 static inline uint8_t tuff_previous_index(uint8_t i, uint8_t count) { return (uint8_t)(i == 0 ? count - 1 : i - 1); }
 
-/* Does index order go round from +x to +y? Asked of the first edge that has a length and a normal: the normal is outward. */
+/* Does index order go round from +x to +y? Asked of the first edge that has a length and a normal: the normal is
+   outward. */
 static inline bool tuff_goes_forward(const tuff_polygon *polygon)
 {
     uint8_t i;
@@ -65,6 +67,12 @@ static inline bool tuff_goes_forward(const tuff_polygon *polygon)
     return true;
 }
 
+/* Is this slot of the terrain array a piece? */
+static inline bool tuff_is_piece(const tuff_terrain *piece)
+{
+    return piece->bounding_radius > TUFF_WHOLE(0) && piece->bounding_radius <= TUFF_WHOLE(TUFF_MAX_BOUNDING_RADIUS);
+}
+
 /* A number within 0 .. limit whole units; false for NaN. */
 static inline bool tuff_in_range(tuff_real a, int32_t limit)
 {
@@ -73,14 +81,16 @@ static inline bool tuff_in_range(tuff_real a, int32_t limit)
 
 /* --- contacts ---------------------------------------------------------------------------------------------- */
 
-/* How a shape stands to one convex part: apart, or overlapping with its least axis an outline edge's or an internal edge's. */
+/* How a shape stands to one convex part: apart, or overlapping with its least axis an outline edge's or an internal
+   edge's. */
 typedef enum tuff_standing { TUFF_APART, TUFF_BY_OUTLINE, TUFF_BY_INTERNAL } tuff_standing;
 
 typedef struct tuff_mover tuff_mover;
 
-/* Shape against part at this offset. outline_only: the contact along the least axis that is an outline edge's, for a shape known to
-   overlap; TUFF_APART: there is none. */
-typedef tuff_standing tuff_part_test(tuff_mover *mover, tuff_vec2 offset, const tuff_polygon *part, bool outline_only, tuff_contact *contact);
+/* Shape against part at this offset. outline_only: the contact along the least axis that is an outline edge's, for a
+   shape known to overlap; TUFF_APART: there is none. */
+typedef tuff_standing tuff_part_test(tuff_mover *mover, tuff_vec2 offset, const tuff_polygon *part, bool outline_only,
+                                     tuff_contact *contact);
 
 /* The shape that moves. The function pointer keeps hull code out of a game that has only circles. */
 struct tuff_mover {
@@ -93,7 +103,8 @@ struct tuff_mover {
 TUFF_HOT tuff_part_test tuff_circle_part;
 TUFF_HOT tuff_part_test tuff_hull_part;
 
-/* Fill in a mover. False: a radius out of range. For tuff_hull_mover hull must be one (tuff_is_hull), scratch has its count of normals. */
+/* Fill in a mover. False: a radius out of range. For tuff_hull_mover hull must be one (tuff_is_hull), scratch has
+   its count of normals. */
 bool tuff_circle_mover(tuff_mover *mover, tuff_real radius);
 bool tuff_hull_mover(tuff_mover *mover, tuff_real radius, const tuff_polygon *hull, tuff_unit2 *scratch);
 
@@ -105,7 +116,8 @@ uint16_t tuff_collide(const tuff_world *world, tuff_body *body, tuff_mover *move
 
 /* --- beams ------------------------------------------------------------------------------------------------- */
 
-/* A segment with ends relative to an obstacle; the lesser end first, whichever came first, so that the answer does not depend on it. */
+/* A segment with ends relative to an obstacle; the lesser end first, whichever came first, so that the answer does
+   not depend on it. */
 typedef struct tuff_beam {
     tuff_far2 a, b;
     tuff_far2 d;         /* b - a, the same for all obstacles */
@@ -118,18 +130,7 @@ static inline bool tuff_beam_ends_ok(tuff_vec2 a, tuff_vec2 b)
     return tuff_position_ok(a) && tuff_position_ok(b);
 }
 
-static inline tuff_beam tuff_beam_relative(tuff_vec2 a, tuff_vec2 b, tuff_vec2 origin)
-{
-    bool swap = b.x < a.x || (b.x == a.x && b.y < a.y);
-    tuff_vec2 first = tuff_vec2_flush(swap ? b : a);
-    tuff_vec2 last = tuff_vec2_flush(swap ? a : b);
-    tuff_beam beam;
-    beam.a = tuff_far_sub(first, origin);
-    beam.b = tuff_far_sub(last, origin);
-    beam.d = tuff_far_sub(last, first);
-    beam.across = tuff_far_cross(beam.d, beam.a);
-    return beam;
-}
+tuff_beam tuff_beam_relative(tuff_vec2 a, tuff_vec2 b, tuff_vec2 origin);
 
 /* Does the segment touch the closed polygon (baked), the closed disc about the origin? */
 TUFF_HOT bool tuff_beam_touches_part(const tuff_beam *beam, const tuff_polygon *polygon);
@@ -164,6 +165,13 @@ static inline bool tuff_index_in_use(const tuff_chunks *chunks)
 static inline uint16_t tuff_pitch(const tuff_chunks *chunks)
 {
     return chunks->pitch_log2 < TUFF_MAX_PITCH_LOG2 ? chunks->pitch_log2 : TUFF_MAX_PITCH_LOG2;
+}
+
+/* Chunk of a coordinate in whole units. No piece lies in chunks beyond the ends of the range. */
+static inline int32_t tuff_chunk_of(const tuff_chunks *chunks, int32_t units)
+{
+    int32_t last = (int32_t)TUFF_MAX_POSITION - 1;
+    return (units > last ? last : units < -last - 1 ? -last - 1 : units) >> tuff_pitch(chunks);
 }
 
 /* A line of a walk, in whole units. Major is the axis along which it is longer. */

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: Zlib
    Copyright (c) 2026 the tuff authors
 
-   A shape against one piece of terrain: bounding circles, then the parts of its outline, or its circle while it is not baked. */
+   A shape against one piece of terrain: bounding circles, then the parts of its outline, or its circle while it is
+   not baked. */
 #include "inner.h"
 
 /* No part gives a contact of its own: the least outline axis of the overlapped parts, else the least internal axis. */
@@ -21,7 +22,8 @@ static void least_way_out(const tuff_terrain *piece, tuff_vec2 offset, tuff_move
     }
 }
 
-/* The deepest of the contacts by outline edges. A part that overlaps by an internal edge only says that there is something to resolve. */
+/* The deepest of the contacts by outline edges. A part that overlaps by an internal edge only says that there is
+   something to resolve. */
 static bool parts_contact(const tuff_terrain *piece, tuff_vec2 offset, tuff_mover *mover, tuff_contact *contact)
 {
     bool by_outline = false;
@@ -42,7 +44,7 @@ static bool parts_contact(const tuff_terrain *piece, tuff_vec2 offset, tuff_move
 TUFF_HOT bool tuff_piece_contact(const tuff_terrain *piece, tuff_vec2 position, tuff_mover *mover, tuff_contact *contact)
 {
     tuff_vec2 offset;
-    if (!(piece->bounding_radius > TUFF_WHOLE(0)) || piece->bounding_radius > TUFF_WHOLE(TUFF_MAX_BOUNDING_RADIUS)) return false;
+    if (!tuff_is_piece(piece)) return false;
     if (!tuff_offset_within(position, piece->position, piece->bounding_radius + mover->radius, &offset)) return false;
     if (!tuff_piece_baked(piece)) return tuff_circle_circle(offset, mover->radius, piece->radius, contact);
     return parts_contact(piece, offset, mover, contact);

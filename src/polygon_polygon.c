@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Zlib
    Copyright (c) 2026 the tuff authors
 
-   Hull against convex polygon: separating axes over the edge normals of both (Ericson, Real-Time Collision Detection, 5.2.1). As the axis turns
-   from one edge to the next, the nearest vertex of the other polygon only moves on in the same sense, so that the whole takes about two
-   projections for each edge of both. */
+   Hull against convex polygon: separating axes over the edge normals of both (Ericson, Real-Time Collision
+   Detection, 5.2.1). As the axis turns from one edge to the next, the nearest vertex of the other polygon only moves
+   on in the same sense, so that the whole takes about two projections for each edge of both. */
 #include "inner.h"
 
 /* The vertex of a polygon nearest to a line, kept from axis to axis. */
@@ -15,8 +15,8 @@ typedef struct tuff_support {
     bool    known;          /* nearest is that of the axis before */
 } tuff_support;
 
-/* The least of normal . (vertex - shift). From a known neighbor it falls toward the least and never rises before it; equal values are
-   passed (parallel edges, duplicate vertices). */
+/* The least of normal . (vertex - shift). From a known neighbor it falls toward the least and never rises before it;
+   equal values are passed (parallel edges, duplicate vertices). */
 static tuff_wide least_projection(tuff_support *support, tuff_unit2 normal, tuff_vec2 shift)
 {
     tuff_wide least = tuff_project(normal, tuff_vec2_sub(support->vertices[support->nearest], shift));
@@ -36,8 +36,8 @@ static tuff_wide least_projection(tuff_support *support, tuff_unit2 normal, tuff
     return least;
 }
 
-/* A hull's own axis counts as internal if, at the part's vertex that lies farthest against it, the nearer of the two adjacent normals is
-   an internal edge's. */
+/* A hull's own axis counts as internal if, at the part's vertex that lies farthest against it, the nearer of the two
+   adjacent normals is an internal edge's. */
 static bool hull_axis_is_internal(const tuff_polygon *part, uint8_t vertex, tuff_unit2 hull_normal)
 {
     tuff_unit2 axis = tuff_unit2_negate(hull_normal);
@@ -54,7 +54,8 @@ typedef struct tuff_axis {
 } tuff_axis;
 
 /* Axes of the part. False: one separates. Bit i of skipped: edge i is not to be chosen. */
-static bool part_axes(const tuff_polygon *part, const tuff_polygon *hull, tuff_vec2 offset, bool ascending, uint32_t skipped, tuff_axis *best)
+static bool part_axes(const tuff_polygon *part, const tuff_polygon *hull, tuff_vec2 offset, bool ascending, uint32_t skipped,
+                      tuff_axis *best)
 {
     tuff_support support = { hull->vertices, hull->count, 0, ascending, false };
     uint8_t i;
@@ -71,7 +72,8 @@ static bool part_axes(const tuff_polygon *part, const tuff_polygon *hull, tuff_v
 }
 
 /* Axes of the hull, likewise. */
-static bool hull_axes(const tuff_polygon *part, const tuff_polygon *hull, tuff_vec2 offset, bool ascending, bool outline_only, tuff_axis *best)
+static bool hull_axes(const tuff_polygon *part, const tuff_polygon *hull, tuff_vec2 offset, bool ascending, bool outline_only,
+                      tuff_axis *best)
 {
     tuff_support support = { part->vertices, part->count, 0, ascending, false };
     uint8_t i;
@@ -97,7 +99,8 @@ static const tuff_polygon *with_normals(tuff_mover *mover)
     return &mover->hull;
 }
 
-TUFF_HOT tuff_standing tuff_hull_part(tuff_mover *mover, tuff_vec2 offset, const tuff_polygon *part, bool outline_only, tuff_contact *contact)
+TUFF_HOT tuff_standing tuff_hull_part(tuff_mover *mover, tuff_vec2 offset, const tuff_polygon *part, bool outline_only,
+                                      tuff_contact *contact)
 {
     const tuff_polygon *hull = with_normals(mover);
     bool ascending = tuff_goes_forward(part) == tuff_goes_forward(hull);
@@ -105,8 +108,9 @@ TUFF_HOT tuff_standing tuff_hull_part(tuff_mover *mover, tuff_vec2 offset, const
     if (!part_axes(part, hull, offset, ascending, outline_only ? part->internal_edges : 0, &best)) return TUFF_APART;
     if (!hull_axes(part, hull, offset, ascending, outline_only, &best)) return TUFF_APART;
 
+    if (best.separation == TUFF_WIDE_LOWEST) return TUFF_APART;     /* no outline axis */
     tuff_real overlap = tuff_narrow(-best.separation);
-    if (best.separation == TUFF_WIDE_LOWEST || !(overlap > 0)) return TUFF_APART;
+    if (!(overlap > 0)) return TUFF_APART;
     contact->overlap = overlap;
     contact->normal = best.normal;
     return best.internal ? TUFF_BY_INTERNAL : TUFF_BY_OUTLINE;
@@ -115,6 +119,7 @@ TUFF_HOT tuff_standing tuff_hull_part(tuff_mover *mover, tuff_vec2 offset, const
 bool tuff_hull_mover(tuff_mover *mover, tuff_real radius, const tuff_polygon *hull, tuff_unit2 *scratch)
 {
     mover->test = tuff_hull_part;
+    TUFF_ASSERT(tuff_in_range(radius, TUFF_MAX_BOUNDING_RADIUS));
     mover->radius = tuff_flush(radius);
     mover->hull = *hull;
     mover->scratch = scratch;
@@ -127,6 +132,7 @@ TUFF_HOT bool tuff_polygon_polygon(const tuff_polygon *hull, tuff_vec2 offset, c
     tuff_unit2 scratch[TUFF_MAX_VERTICES];
     tuff_mover mover;
     tuff_vec2 near;
+    TUFF_ASSERT(polygon != NULL && hull != NULL && contact != NULL);
     if (polygon == NULL || !tuff_baked(polygon) || !tuff_is_hull(hull)) return false;
     (void)tuff_hull_mover(&mover, TUFF_WHOLE(0), hull, scratch);
     /* Both lie within a bounding radius of their owners. */

@@ -1,22 +1,17 @@
 /* SPDX-License-Identifier: Zlib
    Copyright (c) 2026 the tuff authors
 
-   Walks over the index: the chunks that a box or a line may touch, and the pieces in them. All in whole units and rounded outward, so that
-   both builds visit every piece they must. */
+   Walks over the index: the chunks that a box or a line may touch, and the pieces in them. All in whole units and
+   rounded outward, so that both builds visit every piece they must. */
 #include "inner.h"
 
 static int32_t lesser(int32_t a, int32_t b)                  { return a < b ? a : b; }
 static int32_t greater(int32_t a, int32_t b)                 { return a > b ? a : b; }
 static int32_t within(int32_t a, int32_t low, int32_t high)  { return lesser(greater(a, low), high); }
 
-/* Chunk of a coordinate; no piece lies in chunks beyond the ends of the range. */
-static int32_t chunk_of(const tuff_walk *walk, int32_t units)
-{
-    return within(units, -(int32_t)TUFF_MAX_POSITION, (int32_t)TUFF_MAX_POSITION - 1) >> tuff_pitch(walk->chunks);
-}
-
-/* Which columns of this row a line may touch. For a center c within R of a point x of the line, with u and w the components of x - c, c's minor is that
-   of the line at c's major, plus m u - w, and |m u - w| <= R sqrt(1 + m^2) by Cauchy and Schwarz; beyond the ends the same holds of the end. */
+/* Which columns of this row a line may touch. For a center c within R of a point x of the line, with u and w the
+   components of x - c, c's minor is that of the line at c's major, plus m u - w, and |m u - w| <= R sqrt(1 + m^2) by
+   Cauchy and Schwarz; beyond the ends the same holds of the end. */
 static void find_columns(tuff_walk *walk)
 {
     const tuff_track *track = &walk->track;
@@ -25,8 +20,8 @@ static void find_columns(tuff_walk *walk)
     int32_t far = within((walk->row + 1) * ((int32_t)1 << pitch), track->first, track->last);
     int32_t at_near = track->minor + (int32_t)(((int64_t)track->slope * (near - track->major)) >> 15);
     int32_t at_far = track->minor + (int32_t)(((int64_t)track->slope * (far - track->major)) >> 15);
-    walk->first_column = chunk_of(walk, greater(lesser(at_near, at_far) - track->margin, track->low));
-    walk->last_column = chunk_of(walk, lesser(greater(at_near, at_far) + track->margin, track->high));
+    walk->first_column = tuff_chunk_of(walk->chunks, greater(lesser(at_near, at_far) - track->margin, track->low));
+    walk->last_column = tuff_chunk_of(walk->chunks, lesser(greater(at_near, at_far) + track->margin, track->high));
 }
 
 static void open_chunk(tuff_walk *walk)
@@ -63,18 +58,18 @@ void tuff_walk_box(tuff_walk *walk, const tuff_world *world, tuff_vec2 center, t
     int32_t x = tuff_floor(center.x);
     int32_t y = tuff_floor(center.y);
     int32_t reach = tuff_ceil(radius) + walk->chunks->reach;
-    walk->first_column = chunk_of(walk, x - reach);
-    walk->last_column = chunk_of(walk, x + 1 + reach);
-    walk->row = chunk_of(walk, y - reach);
-    walk->last_row = chunk_of(walk, y + 1 + reach);
+    walk->first_column = tuff_chunk_of(walk->chunks, x - reach);
+    walk->last_column = tuff_chunk_of(walk->chunks, x + 1 + reach);
+    walk->row = tuff_chunk_of(walk->chunks, y - reach);
+    walk->last_row = tuff_chunk_of(walk->chunks, y + 1 + reach);
     walk->large_now = !ordered;
     int64_t chunk_count = (int64_t)(walk->last_column - walk->first_column + 1) * (walk->last_row - walk->row + 1);
     walk->every = !ordered && chunk_count > walk->chunks->capacity;
     open_row(walk);
 }
 
-/* Ends in whole units are up to 1 unit off in each axis, the slope up to 2^-15 a unit: 3 units and a part of the length. sqrt(1 + m^2) is
-   taken as 1 + 27/64 m, its chord over 0 .. 1 or a little more. */
+/* Ends in whole units are up to 1 unit off in each axis, the slope up to 2^-15 a unit: 3 units and a part of the
+   length. sqrt(1 + m^2) is taken as 1 + 27/64 m, its chord over 0 .. 1 or a little more. */
 static void lay_track(tuff_track *track, int32_t to_major, int32_t to_minor, int32_t reach)
 {
     int32_t length = to_major - track->major;
@@ -103,8 +98,8 @@ void tuff_walk_line(tuff_walk *walk, const tuff_world *world, tuff_vec2 a, tuff_
     track->minor = walk->along_x ? ay : ax;
     lay_track(track, walk->along_x ? bx : by, walk->along_x ? by : bx, reach);
 
-    int32_t low_row = chunk_of(walk, track->first - reach);
-    int32_t high_row = chunk_of(walk, track->last + reach);
+    int32_t low_row = tuff_chunk_of(walk->chunks, track->first - reach);
+    int32_t high_row = tuff_chunk_of(walk->chunks, track->last + reach);
     bool ascending = track->major == track->first;
     walk->step = ascending ? 1 : -1;
     walk->row = ascending ? low_row : high_row;
@@ -142,7 +137,8 @@ static uint16_t next_in_chunk(tuff_walk *walk)
 {
     int32_t x = walk->along_x ? walk->row : walk->column;
     int32_t y = walk->along_x ? walk->column : walk->row;
-    while (tuff_link_valid(walk->chunks, walk->link) && walk->left-- > 0) {
+    while (tuff_link_valid(walk->chunks, walk->link) && walk->left > 0) {
+        --walk->left;
         uint16_t number = (uint16_t)(walk->link - 1);
         const tuff_chunk_entry *entry = &walk->chunks->entries[number];
         walk->link = entry->next;

@@ -62,8 +62,8 @@ tuff_fault tuff_check_terrain(const tuff_terrain *piece);
 /* A body with the radius and hull (or NULL) that go into the collide call. */
 tuff_fault tuff_check_body(const tuff_body *body, tuff_real radius, const tuff_polygon *hull);
 
-/* A world, its pieces and its index. *piece (may be NULL): the piece at fault, 0 if the fault is the world's own. Time: pieces, and for
-   the index pieces again. */
+/* A world, its pieces and its index. *piece (may be NULL): the piece at fault, 0 if the fault is the world's own.
+   Time: pieces, and for the index pieces again. */
 tuff_fault tuff_check_world(const tuff_world *world, uint16_t *piece);
 
 /* One English sentence without a period. Never NULL. */

@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: Zlib
    Copyright (c) 2026 the tuff authors
 
-   The index: which pieces are near. A hash table over square chunks of the plane, unbounded in every direction, in static arrays of
-   the caller: 2 bytes a bucket and 6 bytes a piece.
+   The index: which pieces are near. A hash table over square chunks of the plane, unbounded in every direction, in
+   static arrays of the caller: 2 bytes a bucket and 6 bytes a piece.
 
      static uint16_t         buckets[512];         // a power of two; about one for each piece is plenty
      static tuff_chunk_entry entries[256];         // one for each piece number
      static tuff_chunks chunks = TUFF_CHUNKS(buckets, entries, 6);   // pitch 64 units
 
-   All zero is an empty index. The pitch should be no less than most pieces' bounding radius: a piece whose bounding radius
-   exceeds the pitch goes to a list of large pieces that every query reads. */
+   All zero is an empty index. The pitch should be no less than most pieces' bounding radius: a piece whose bounding
+   radius exceeds the pitch goes to a list of large pieces that every query reads. */
 #ifndef TUFF_CHUNKS_H
 #define TUFF_CHUNKS_H
 
@@ -46,9 +46,9 @@ typedef struct tuff_chunks {
 /* Forget every piece. Until the next insert, the world's calls scan the terrain array from end to end. */
 void tuff_chunks_clear(tuff_chunks *chunks);
 
-/* Put a piece into the index; one that is in it already is moved. False, and nothing changed: no such entry, or a position or bounding
-   radius out of range. A bounding radius of 0 (an empty slot) is not entered: true. Time: the pieces of one bucket (a large
-   piece: the large pieces). */
+/* Put a piece into the index; one that is in it already is moved. False, and nothing changed: no such entry, or a
+   position or bounding radius out of range. A bounding radius of 0 (an empty slot) is not entered: true. Time: the
+   pieces of one bucket (a large piece: the large pieces). */
 bool tuff_chunks_insert(tuff_chunks *chunks, uint16_t piece, tuff_vec2 position, tuff_real bounding_radius);
 
 /* Tell the index that a piece has moved or changed its size. The same as insert, by the name a reader expects. */

@@ -60,7 +60,6 @@
 #define TUFF_INT32_MAX  2147483647
 #define TUFF_INT32_MIN  (-TUFF_INT32_MAX - 1)
 #define TUFF_UINT32_MAX 4294967295u
-#define TUFF_INT64_MAX  0x7FFFFFFFFFFFFFFFLL
 
 /* NULL without <stddef.h>, which some SDKs replace. */
 #ifndef NULL

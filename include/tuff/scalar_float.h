@@ -40,12 +40,27 @@ static inline int32_t tuff_fixed_from_real(tuff_real value, unsigned fraction_bi
     return whole + (rest >= 0.5f ? 1 : 0) - (rest <= -0.5f ? 1 : 0);
 }
 
+/* length * factor. A component of a vector along a normal; a beam's way to its hit. */
+static inline tuff_real tuff_scale(tuff_real length, tuff_unit factor)
+{
+    return length * factor;
+}
+
+/* From and to Q2.30; to nearest, |value| < 2. */
+static inline tuff_unit tuff_unit_from_q2_30(int32_t value) { return (tuff_unit)value / 1073741824.0f; }
+static inline int32_t tuff_unit_to_q2_30(tuff_unit value)   { return tuff_fixed_from_real(value, 30); }
+
 static inline tuff_real tuff_real_from_float(float value)
 {
     return value;
 }
 
 static inline float tuff_float_from_real(tuff_real value)
+{
+    return value;
+}
+
+static inline float tuff_unit_to_float(tuff_unit value)
 {
     return value;
 }

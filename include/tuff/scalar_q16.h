@@ -42,7 +42,20 @@ static inline int32_t tuff_fixed_from_real(tuff_real value, unsigned fraction_bi
     return (int32_t)(rounded > TUFF_INT32_MAX ? TUFF_INT32_MAX : rounded < TUFF_INT32_MIN ? TUFF_INT32_MIN : rounded);
 }
 
-/* For the host and for machines with an FPU; nothing of the library calls these two. NaN gives 0. */
+/* length * factor, to nearest; saturates. A component of a vector along a normal; a beam's way to its hit. */
+static inline tuff_real tuff_scale(tuff_real length, tuff_unit factor)
+{
+    int64_t product = (int64_t)length * factor;
+    int64_t half = (int64_t)1 << (TUFF_UNIT_BITS - 1);
+    int64_t rounded = product < 0 ? -((half - product) >> TUFF_UNIT_BITS) : (product + half) >> TUFF_UNIT_BITS;
+    return (tuff_real)(rounded > TUFF_INT32_MAX ? TUFF_INT32_MAX : rounded < TUFF_INT32_MIN ? TUFF_INT32_MIN : rounded);
+}
+
+/* Q2.30, which a tuff_unit is here. */
+static inline tuff_unit tuff_unit_from_q2_30(int32_t value) { return value; }
+static inline int32_t tuff_unit_to_q2_30(tuff_unit value)   { return value; }
+
+/* For the host and for machines with an FPU; nothing of the library calls these. NaN gives 0. */
 static inline tuff_real tuff_real_from_float(float value)
 {
     if (value != value) return 0;
@@ -54,6 +67,11 @@ static inline tuff_real tuff_real_from_float(float value)
 static inline float tuff_float_from_real(tuff_real value)
 {
     return (float)value / 65536.0f;
+}
+
+static inline float tuff_unit_to_float(tuff_unit value)
+{
+    return (float)value / 1073741824.0f;
 }
 
 #endif

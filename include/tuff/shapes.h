@@ -11,7 +11,8 @@
 extern "C" {
 #endif
 
-/* Limits, in whole units; TUFF_WHOLE(TUFF_MAX_...) is the number. They keep every product of the fixed build within 64 bits. */
+/* Limits, in whole units; TUFF_WHOLE(TUFF_MAX_...) is the number. They keep every product of the fixed build within
+   64 bits. */
 #define TUFF_MAX_VERTICES         32     /* vertices of a polygon: one bit each in internal_edges */
 #define TUFF_MAX_EXTENT           1024   /* |x| and |y| of a vertex, from its owner's position */
 #define TUFF_MAX_RADIUS           1024   /* radius of a circle */
@@ -48,13 +49,15 @@ typedef struct tuff_contact {
     tuff_unit2 normal;              /* away from the obstacle; never (0, 0) */
 } tuff_contact;
 
-/* What a bounce leaves of the speed: v_n' = -restitution * v_n along the normal, v_t' = (1 - friction) * v_t along the surface. */
+/* What a bounce leaves of the speed: v_n' = -restitution * v_n along the normal, v_t' = (1 - friction) * v_t along
+   the surface. */
 typedef struct tuff_material {
     tuff_real restitution;          /* 0 .. TUFF_MAX_RESTITUTION; above 1 adds energy (a bumper) */
     tuff_real friction;             /* 0 .. TUFF_MAX_FRICTION */
 } tuff_material;
 
-/* Used where a body's material is NULL: restitution 1.09 - 1, friction 0.01 ("nearly inelastic"; 1.09 is the impulse factor 1 + e). */
+/* Used where a body's material is NULL: restitution 1.09 - 1, friction 0.01 ("nearly inelastic"; 1.09 is the impulse
+   factor 1 + e). */
 extern const tuff_material tuff_default_material;
 
 /* Whatever moves: a ship, an enemy, a shot. */

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: Zlib
    Copyright (c) 2026 the tuff authors
 
-   The calls of a frame. None changes terrain or index. A NULL world, body or terrain array, a body with NaN, infinity or (float build) a number beyond its
-   limit, a radius that is negative or too large: nothing happens and the answer is 0 or false. */
+   The calls of a frame. None changes terrain or index. A NULL world, body or terrain array, a body with NaN,
+   infinity or (float build) a number beyond its limit, a radius that is negative or too large: nothing happens and
+   the answer is 0 or false. */
 #ifndef TUFF_WORLD_H
 #define TUFF_WORLD_H
 
@@ -13,10 +14,10 @@
 extern "C" {
 #endif
 
-/* TUFF_ORDER_ITERATION: each piece on its own: chunk rows by ascending y, then x, within a chunk as inserted; without an
-   index by ascending number. The cheapest.
-   TUFF_ORDER_DEEPEST: the deepest contact of all first (ties: the lowest number), and all again after each push. Costs at least
-   one more pass; does not snag on flush seams and does not depend on the order of insertion. */
+/* TUFF_ORDER_ITERATION: each piece on its own: chunk rows by ascending y, then x, within a chunk as inserted;
+   without an index by ascending number. The cheapest. TUFF_ORDER_DEEPEST: the deepest contact of all first (ties:
+   the lowest number), and all again after each push. Costs at least one more pass; does not snag on flush seams and
+   does not depend on the order of insertion. */
 enum { TUFF_ORDER_ITERATION = 0, TUFF_ORDER_DEEPEST = 1 };
 
 /* Plain data, all of it the caller's. All zero: an empty world. */
@@ -49,23 +50,27 @@ typedef struct tuff_beam_hit {
     uint16_t   piece;               /* ties: the lowest */
 } tuff_beam_hit;
 
-/* Clear the index and insert every piece of the world's array. Returns how many could not be inserted (0: all is well). */
+/* Clear the index and insert every piece of the world's array. Returns how many could not be inserted (0: all is well,
+   or there is no index). */
 uint16_t tuff_world_index(tuff_world *world);
 
-/* Push the body out of the obstacle by overlap * normal (saturating at the edge of the range); then, if it moves inwards (v . n < 0), reflect
-   the velocity by its material. Fixed build: v . n is kept in 64 bits, each new component is rounded toward zero, so that restitution up to 1 never
-   adds energy. Speeds are clamped to TUFF_MAX_SPEED, material values to their limits. */
+/* Push the body out of the obstacle by overlap * normal (saturating at the edge of the range); then, if it moves
+   inwards (v . n < 0), reflect the velocity by its material. Fixed build: v . n is kept in 64 bits, each new
+   component is rounded toward zero, so that restitution up to 1 never adds energy. Speeds are clamped to
+   TUFF_MAX_SPEED, material values to their limits. */
 void tuff_bounce(tuff_body *body, const tuff_contact *contact);
 
-/* Keep a body out of the terrain: push it out of each piece that it overlaps, and bounce. Returns the number of pushes, at most
-   TUFF_MAX_PUSHES; 0: none. hull NULL or with fewer than 3 vertices: the circle. radius covers the hull. A hull without normals has them made
-   once a call, and only if some piece's bounding circle is reached. */
+/* Keep a body out of the terrain: push it out of each piece that it overlaps, and bounce. Returns the number of
+   pushes, at most TUFF_MAX_PUSHES; 0: none. hull NULL or with fewer than 3 vertices: the circle. radius covers the
+   hull. A hull without normals has them made once a call, and only if some piece's bounding circle is reached. */
 uint16_t tuff_terrain_collide(const tuff_world *world, tuff_body *body, tuff_real radius, const tuff_polygon *hull);
 uint16_t tuff_terrain_collide_circle(const tuff_world *world, tuff_body *body, tuff_real radius);
-uint16_t tuff_terrain_collide_report(const tuff_world *world, tuff_body *body, tuff_real radius, const tuff_polygon *hull, tuff_touches *touches);
+uint16_t tuff_terrain_collide_report(const tuff_world *world, tuff_body *body, tuff_real radius, const tuff_polygon *hull,
+                                     tuff_touches *touches);
 
 /* The same against an array of the caller's, in ascending order; no index. */
-uint16_t tuff_floater_collide(tuff_body *body, tuff_real radius, const tuff_terrain *floaters, uint16_t count, const tuff_polygon *hull);
+uint16_t tuff_floater_collide(tuff_body *body, tuff_real radius, const tuff_terrain *floaters, uint16_t count,
+                              const tuff_polygon *hull);
 uint16_t tuff_floater_collide_circle(tuff_body *body, tuff_real radius, const tuff_terrain *floaters, uint16_t count);
 uint16_t tuff_floater_collide_report(tuff_body *body, tuff_real radius, const tuff_terrain *floaters, uint16_t count,
                                      const tuff_polygon *hull, uint8_t order, tuff_touches *touches);
@@ -73,11 +78,14 @@ uint16_t tuff_floater_collide_report(tuff_body *body, tuff_real radius, const tu
 /* Is anything between a and b? Touching counts. Stops at the first piece found. */
 bool tuff_segment_terrain_intersect(const tuff_world *world, tuff_vec2 a, tuff_vec2 b);
 
-/* What does a beam from a to b hit first? False: nothing, *hit is untouched. The point of the hit is within 2 LSB + length * 2^-28 (fixed). */
+/* What does a beam from a to b hit first? False: nothing, *hit is untouched. The point of the hit is within 2 LSB +
+   length * 2^-28 (fixed) of the
+   polygon's edge or the circle's surface that it lies on. */
 bool tuff_segment_terrain_first_hit(const tuff_world *world, tuff_vec2 a, tuff_vec2 b, tuff_beam_hit *hit);
 
-/* Which pieces' bounding circles overlap or touch this circle? Exactly those, each once. Indices go to world->nearby; the count needed is
-   returned: read at most the lesser of it and world->nearby_capacity. radius: 0 or more, any. */
+/* Which pieces' bounding circles overlap or touch this circle? Exactly those, each once. Indices go to
+   world->nearby; the count needed is returned: read at most the lesser of it and world->nearby_capacity. radius: 0
+   or more, any. */
 uint16_t tuff_nearby_terrain(tuff_world *world, tuff_vec2 center, tuff_real radius);
 
 #ifdef __cplusplus
