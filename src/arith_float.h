@@ -67,12 +67,21 @@ static inline tuff_wide tuff_project(tuff_unit2 n, tuff_vec2 v) { return n.x * v
 static inline tuff_wide tuff_facing(tuff_unit2 a, tuff_unit2 b) { return a.x * b.x + a.y * b.y; }
 static inline tuff_area tuff_dot(tuff_vec2 a, tuff_vec2 b)      { return a.x * b.x + a.y * b.y; }
 static inline tuff_area tuff_cross(tuff_vec2 a, tuff_vec2 b)    { return a.x * b.y - a.y * b.x; }
+static inline tuff_area tuff_area_add(tuff_area a, tuff_area b) { return a + b; }
 static inline tuff_area tuff_square_of(tuff_real a)             { return a * a; }
 static inline tuff_wide tuff_widen(tuff_real a)                 { return a; }
 static inline tuff_real tuff_narrow(tuff_wide a)                { return a; }
 
 /* False for NaN and infinity too. */
 static inline bool tuff_number_ok(tuff_real a) { return tuff_abs(a) <= 3.0e38f; }
+
+static inline bool tuff_normal_ok(tuff_unit2 n) { return tuff_abs(n.x) <= 2.0f && tuff_abs(n.y) <= 2.0f; }
+
+/* What a push may leave of an overlap: 1e-4 units and two steps of position and shapes. */
+static inline tuff_real tuff_residue(tuff_vec2 position, tuff_real size)
+{
+    return 1e-4f + (tuff_abs(position.x) + tuff_abs(position.y) + size) * 2.3841858e-7f;
+}
 
 static inline bool tuff_position_ok(tuff_vec2 position)
 {
@@ -93,7 +102,7 @@ static inline int32_t tuff_floor(tuff_real a)
     return (float)whole > a ? whole - 1 : whole;
 }
 
-static inline int32_t tuff_ceil(tuff_real a) { return -tuff_floor(0.0f - a); }
+static inline int32_t tuff_ceil(tuff_real a) { return -tuff_floor(0.0f - tuff_flush(a)); }
 
 /* a - b if it lies inside the open circle of this radius; else false, for NaN too. */
 static inline bool tuff_offset_within(tuff_vec2 a, tuff_vec2 b, tuff_real radius, tuff_vec2 *offset)

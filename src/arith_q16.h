@@ -64,6 +64,8 @@ static inline tuff_area tuff_dot(tuff_vec2 a, tuff_vec2 b)         { return tuff
 static inline tuff_area tuff_square_of(tuff_real a)                { return (int64_t)a * a; }
 static inline tuff_wide tuff_widen(tuff_real a)                    { return (int64_t)a * TUFF_UNIT_ONE; }
 
+static inline tuff_area tuff_area_add(tuff_area a, tuff_area b)    { return (int64_t)((uint64_t)a + (uint64_t)b); }
+
 /* a x b: 64 bits, exact for |components| < 2^31. */
 static inline tuff_area tuff_cross(tuff_vec2 a, tuff_vec2 b)
 {
@@ -91,6 +93,15 @@ static inline int32_t tuff_clamp64(int64_t a, int32_t limit)
 static inline bool tuff_position_ok(tuff_vec2 position) { (void)position; return true; }
 static inline bool tuff_velocity_ok(tuff_vec2 velocity) { (void)velocity; return true; }
 static inline bool tuff_number_ok(tuff_real a)          { (void)a; return true; }
+static inline bool tuff_normal_ok(tuff_unit2 n)         { (void)n; return true; }
+
+/* What a push may leave of an overlap. */
+static inline tuff_real tuff_residue(tuff_vec2 position, tuff_real size)
+{
+    (void)position;
+    (void)size;
+    return 2;
+}
 
 /* Whole units below and above. */
 static inline int32_t tuff_floor(tuff_real a) { return a >> TUFF_REAL_BITS; }

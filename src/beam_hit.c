@@ -44,8 +44,8 @@ static void enter_part(tuff_entry *entry, const tuff_polygon *polygon)
         uint8_t next = tuff_next_index(i, polygon->count);
         tuff_vec2 from = polygon->vertices[forward ? i : next];
         tuff_vec2 to = polygon->vertices[forward ? next : i];
-        tuff_area outside = -tuff_edge_side(entry->a, from, to);
-        tuff_area travel = outside + tuff_edge_side(entry->b, from, to);
+        tuff_area outside = tuff_edge_side(entry->a, to, from);
+        tuff_area travel = tuff_area_add(outside, tuff_edge_side(entry->b, from, to));
         if (outside <= (tuff_edge_is_internal(polygon, i) ? tuff_seam_margin(entry->d, from, to) : 0)) continue;
         if (travel < outside) travel = outside;     /* b is within the margin of a seam */
         bool later = edge == TUFF_MAX_VERTICES || tuff_ratio_less(outside_last, travel_last, outside, travel);

@@ -18,6 +18,7 @@ void tuff_bounce(tuff_body *body, const tuff_contact *contact)
     TUFF_ASSERT(body != NULL && contact != NULL);
     if (body == NULL || contact == NULL || !(contact->overlap > TUFF_WHOLE(0))) return;
     if (!tuff_position_ok(body->position) || !tuff_velocity_ok(body->velocity) || !tuff_number_ok(contact->overlap)) return;
+    if (!tuff_normal_ok(contact->normal)) return;
     const tuff_material *material = body->material != NULL ? body->material : &tuff_default_material;
     body->position.x = tuff_pushed(body->position.x, contact->overlap, contact->normal.x);
     body->position.y = tuff_pushed(body->position.y, contact->overlap, contact->normal.y);

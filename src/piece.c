@@ -5,15 +5,17 @@
    not baked. */
 #include "inner.h"
 
-/* No part gives a contact of its own: the least outline axis of the overlapped parts, else the least internal axis. */
-static void least_way_out(const tuff_terrain *piece, tuff_vec2 offset, tuff_mover *mover, tuff_contact *contact)
+/* The least outline axis of the parts that overlap by an internal edge, and by more than above; else the least
+   internal axis. */
+static void least_way_out(const tuff_terrain *piece, tuff_vec2 offset, tuff_mover *mover, tuff_real above, tuff_contact *contact)
 {
     bool outline_found = false;
     bool found = false;
     tuff_contact candidate;
     uint8_t i;
     for (i = 0; i < piece->part_count; ++i) {
-        if (mover->test(mover, offset, &piece->parts[i], false, &candidate) == TUFF_APART) continue;
+        tuff_standing standing = mover->test(mover, offset, &piece->parts[i], false, &candidate);
+        if (standing != TUFF_BY_INTERNAL || candidate.overlap <= above) continue;
         bool outline = mover->test(mover, offset, &piece->parts[i], true, &candidate) != TUFF_APART;
         if (outline_found && !outline) continue;
         if (!found || outline != outline_found || candidate.overlap < contact->overlap) *contact = candidate;
@@ -22,30 +24,41 @@ static void least_way_out(const tuff_terrain *piece, tuff_vec2 offset, tuff_move
     }
 }
 
-/* The deepest of the contacts by outline edges. A part that overlaps by an internal edge only says that there is
-   something to resolve. */
-static bool parts_contact(const tuff_terrain *piece, tuff_vec2 offset, tuff_mover *mover, tuff_contact *contact)
+/* The deepest of the contacts by outline edges; a part that overlaps by an internal edge gives none while another gives one.
+   But what an earlier push may have left over is no reason for either: as an outline contact it would hold back the way
+   out of a body deep inside, as an internal one it would send a body that is out the long way round. */
+static bool parts_contact(const tuff_terrain *piece, tuff_vec2 offset, tuff_mover *mover, tuff_real residue, tuff_contact *contact)
 {
-    bool by_outline = false;
-    bool by_internal = false;
+    tuff_real outline = 0;
+    tuff_real internal = 0;
     tuff_contact candidate;
+    tuff_contact inner;
     uint8_t i;
     for (i = 0; i < piece->part_count; ++i) {
         tuff_standing standing = mover->test(mover, offset, &piece->parts[i], false, &candidate);
-        if (standing == TUFF_BY_INTERNAL) by_internal = true;
-        if (standing != TUFF_BY_OUTLINE || (by_outline && candidate.overlap <= contact->overlap)) continue;
-        *contact = candidate;
-        by_outline = true;
+        if (standing == TUFF_BY_INTERNAL && candidate.overlap > internal) {
+            inner = candidate;
+            internal = candidate.overlap;
+        } else if (standing == TUFF_BY_OUTLINE && candidate.overlap > outline) {
+            *contact = candidate;
+            outline = candidate.overlap;
+        }
     }
-    if (!by_outline && by_internal) least_way_out(piece, offset, mover, contact);
-    return by_outline || by_internal;
+    tuff_real above = outline > 0 ? 4 * residue : residue;
+    if (outline <= residue && internal > above) {
+        least_way_out(piece, offset, mover, above, contact);
+    } else if (internal > 0 && !(outline > 0)) {
+        *contact = inner;
+    }
+    return outline > 0 || internal > 0;
 }
 
 TUFF_HOT bool tuff_piece_contact(const tuff_terrain *piece, tuff_vec2 position, tuff_mover *mover, tuff_contact *contact)
 {
     tuff_vec2 offset;
     if (!tuff_is_piece(piece)) return false;
-    if (!tuff_offset_within(position, piece->position, piece->bounding_radius + mover->radius, &offset)) return false;
+    tuff_real reach = tuff_flush(piece->bounding_radius + mover->radius);
+    if (!tuff_offset_within(position, piece->position, reach, &offset)) return false;
     if (!tuff_piece_baked(piece)) return tuff_circle_circle(offset, mover->radius, piece->radius, contact);
-    return parts_contact(piece, offset, mover, contact);
+    return parts_contact(piece, offset, mover, tuff_residue(position, reach), contact);
 }
