@@ -69,9 +69,9 @@ static tuff_fault check_convex(const tuff_polygon *polygon)
 static tuff_fault check_normal(tuff_unit2 n, tuff_unit2 exact)
 {
     tuff_wide one = tuff_facing(exact, exact);
-    tuff_wide excess = tuff_facing(n, n) - one;
+    tuff_wide square = tuff_facing(n, n);
     tuff_wide tolerance = one / 262144;
-    if (!(excess <= tolerance && excess >= -tolerance)) return TUFF_FAULT_NORMAL_LENGTH;
+    if (!(square <= one + tolerance && square >= one - tolerance)) return TUFF_FAULT_NORMAL_LENGTH;
     if (tuff_facing(n, exact) < 0) return TUFF_FAULT_NORMAL_INWARD;
     tuff_unit x = n.x - exact.x;
     tuff_unit y = n.y - exact.y;

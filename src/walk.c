@@ -59,9 +59,9 @@ void tuff_walk_box(tuff_walk *walk, const tuff_world *world, tuff_vec2 center, t
     int32_t y = tuff_floor(center.y);
     int32_t reach = tuff_ceil(radius) + walk->chunks->reach;
     walk->first_column = tuff_chunk_of(walk->chunks, x - reach);
-    walk->last_column = tuff_chunk_of(walk->chunks, x + 1 + reach);
+    walk->last_column = tuff_chunk_of(walk->chunks, x + reach);
     walk->row = tuff_chunk_of(walk->chunks, y - reach);
-    walk->last_row = tuff_chunk_of(walk->chunks, y + 1 + reach);
+    walk->last_row = tuff_chunk_of(walk->chunks, y + reach);
     walk->large_now = !ordered;
     int64_t chunk_count = (int64_t)(walk->last_column - walk->first_column + 1) * (walk->last_row - walk->row + 1);
     walk->every = !ordered && chunk_count > walk->chunks->capacity;

@@ -1,0 +1,345 @@
+/* SPDX-License-Identifier: Zlib
+   Copyright (c) 2026 the tuff authors
+
+   Collide calls over the chunk index, in random worlds that are edited while they run: each push must be the one that comes next
+   when all pieces are taken in the promised order, chunk rows by ascending y, then x, within a chunk as inserted. */
+#include <string.h>
+
+#include "worlds.h"
+
+/* ---- the promised order ---- */
+
+/* Of the pieces of one chunk, those larger than a chunk come last. */
+
+static int compare_turns(const world_shadow *a, const world_shadow *b)
+{
+    if (a->chunk_y != b->chunk_y) return a->chunk_y < b->chunk_y ? -1 : 1;
+    if (a->chunk_x != b->chunk_x) return a->chunk_x < b->chunk_x ? -1 : 1;
+    if (a->large != b->large) return a->large ? 1 : -1;
+    return (a->turn > b->turn) - (a->turn < b->turn);
+}
+
+/* The pieces that can be found, in the order in which they must push. */
+static int list_in_order(const world_fixture *w, int *list)
+{
+    int count = 0;
+    for (int i = 0; i < WORLD_MOST; i++) {
+        if (!world_present(w, i)) continue;
+        int at = count++;
+        while (w->index_used && at > 0 && compare_turns(&w->shadows[i], &w->shadows[list[at - 1]]) < 0) {
+            list[at] = list[at - 1];
+            at--;
+        }
+        list[at] = i;
+    }
+    return count;
+}
+
+/* ---- the call and its retelling ---- */
+
+typedef struct mover {
+    random_shape shape;
+    const tuff_polygon *hull;
+    tuff_real    radius;
+    tuff_body    body;
+} mover;
+
+static void make_mover(random_source *source, const world_fixture *w, mover *m)
+{
+    double size = w->size * random_magnitude(source, 0.02, 2.0);
+    m->hull = NULL;
+    m->radius = random_point_at(size, 0).x;
+    if (random_chance(source, 40)) {
+        random_rock_shape(source, &m->shape, 8, size);
+        m->hull = &m->shape.polygon;
+        m->radius = m->shape.bounding_radius;
+    }
+    m->body = (tuff_body){ world_point(source, w, 1.0), random_point(source, 20.0), NULL };
+}
+
+static bool overlap(const world_fixture *w, int piece, const mover *m, const tuff_body *body, tuff_contact *contact)
+{
+    return tuff_terrain_overlap_hull(&w->pieces[piece], body->position, m->radius, m->hull, contact);
+}
+
+/* A piece that touched nothing at the start, or that the index has elsewhere, may stay out of a call that came near it only by a push. */
+static bool must_be_visited(const world_fixture *w, int piece, const mover *m)
+{
+    return !w->index_used || (world_told(w, piece) && world_gap(w, piece, m->body.position, m->radius) < -WORLD_GAP_ROUNDING);
+}
+
+static bool same_touch(const tuff_touch *touch, int piece, const tuff_contact *contact)
+{
+    return touch->piece == piece && touch->contact.overlap == contact->overlap && touch->contact.normal.x == contact->normal.x &&
+           touch->contact.normal.y == contact->normal.y;
+}
+
+static bool same_body(const tuff_body *a, const tuff_body *b)
+{
+    return a->position.x == b->position.x && a->position.y == b->position.y && a->velocity.x == b->velocity.x &&
+           a->velocity.y == b->velocity.y && a->material == b->material;
+}
+
+/* Go through the report, push by push. A piece of one part, or a circle, is pushed once; others until they let go, or until a push
+   moves the body nowhere, at the edge of the range or by less than its rounding. */
+static bool retell(const world_fixture *w, const mover *m, const tuff_touches *told, const tuff_body *end)
+{
+    int order[WORLD_MOST], next = 0, count = list_in_order(w, order);
+    tuff_body body = m->body;
+    tuff_contact contact;
+    for (int k = 0; k < count; k++) {
+        const tuff_terrain *piece = &w->pieces[order[k]];
+        while (next < TUFF_MAX_PUSHES && overlap(w, order[k], m, &body, &contact)) {
+            if (next >= told->count || !same_touch(&told->list[next], order[k], &contact)) {
+                if (must_be_visited(w, order[k], m)) return false;
+                break;
+            }
+            tuff_vec2 before = body.position;
+            tuff_bounce(&body, &contact);
+            next++;
+            if (piece->part_count < 2 || (body.position.x == before.x && body.position.y == before.y)) break;
+        }
+    }
+    return next == told->count && same_body(&body, end);
+}
+
+static bool collide_right(world_fixture *w, const mover *m, uint32_t *pushes)
+{
+    tuff_touch list[TUFF_MAX_PUSHES];
+    tuff_touches touches = { list, TUFF_MAX_PUSHES, 0 };
+    tuff_body body = m->body, plain = m->body;
+    uint16_t count = tuff_terrain_collide_report(&w->world, &body, m->radius, m->hull, &touches);
+    *pushes += count;
+    if (count != touches.count || count > TUFF_MAX_PUSHES) return false;
+    if (tuff_terrain_collide(&w->world, &plain, m->radius, m->hull) != count || !same_body(&plain, &body)) return false;
+    return retell(w, m, &touches, &body);
+}
+
+static bool linear_right(world_fixture *w, const mover *m, uint32_t *pushes)
+{
+    bool used = w->index_used;
+    w->world.chunks = NULL;
+    w->index_used = false;
+    bool right = collide_right(w, m, pushes);
+    w->world.chunks = &w->chunks;
+    w->index_used = used;
+    return right;
+}
+
+/* The calls of a frame leave index and terrain alone. */
+typedef struct untouched {
+    tuff_terrain     pieces[WORLD_MOST];
+    uint16_t         buckets[WORLD_BUCKETS];
+    tuff_chunk_entry entries[WORLD_MOST];
+    tuff_chunks      chunks;
+} untouched;
+
+static void remember(const world_fixture *w, untouched *u)
+{
+    memcpy(u->pieces, w->pieces, sizeof u->pieces);
+    memcpy(u->buckets, w->buckets, sizeof u->buckets);
+    memcpy(u->entries, w->entries, sizeof u->entries);
+    memcpy(&u->chunks, &w->chunks, sizeof u->chunks);
+}
+
+static bool is_untouched(const world_fixture *w, const untouched *u)
+{
+    return memcmp(u->pieces, w->pieces, sizeof u->pieces) == 0 && memcmp(u->buckets, w->buckets, sizeof u->buckets) == 0 &&
+           memcmp(u->entries, w->entries, sizeof u->entries) == 0 && memcmp(&u->chunks, &w->chunks, sizeof u->chunks) == 0;
+}
+
+static void test_pushes_come_in_the_promised_order(void **state)
+{
+    static world_fixture w;
+    static untouched before;
+    static mover m;
+    random_run run = random_cases(__func__, 41, 2500);
+    uint32_t pushes = 0, calls = 0;
+    (void)state;
+    memset(&w, 0, sizeof w);
+    for (uint32_t i = run.first; i < run.end; i++) {
+        random_source source = random_stream(run.seed, i);
+        world_make(&source, &w);
+        for (int step = 0; step < 60; step++) {
+            bool edited = world_edit(&source, &w);
+            make_mover(&source, &w, &m);
+            remember(&w, &before);
+            calls++;
+            bool right = collide_right(&w, &m, &pushes) && linear_right(&w, &m, &pushes) && is_untouched(&w, &before);
+            if (edited && right) continue;
+            random_print_case(&run, i);
+            fail_msg("step %d: %s", step, edited ? "the pushes are not those of the promised order" : "the index answered an edit wrongly");
+        }
+    }
+    print_message("figures: " EXACT_BUILD " chunks: %lu collide calls, %lu pushes\n", (unsigned long)calls, (unsigned long)pushes);
+    assert_true(pushes > 0);
+}
+
+/* ---- the checks find what the shadow knows ---- */
+
+/* What the checks must say of the index, apart from faults of other kinds, which these worlds do not have. */
+static bool index_fault_right(const world_fixture *w, tuff_fault fault)
+{
+    bool stale = false, missing = false, moved = false, elsewhere = false;
+    for (int i = 0; i < WORLD_MOST; i++) {
+        bool there = i < w->world.terrain_count && w->pieces[i].bounding_radius > 0;
+        stale |= w->index_used && w->shadows[i].held && !there;
+        missing |= w->index_used && there && !w->shadows[i].held;
+        if (!w->index_used || !there || !w->shadows[i].held) continue;
+        const tuff_terrain *piece = &w->pieces[i];
+        moved |= !world_told(w, i);
+        elsewhere |= world_chunk(w, piece->position.x) != w->shadows[i].chunk_x;
+        elsewhere |= world_chunk(w, piece->position.y) != w->shadows[i].chunk_y;
+    }
+    if (fault == TUFF_FAULT_INDEX_STALE) return stale;
+    if (fault == TUFF_FAULT_INDEX_MISSING) return missing;
+    if (fault == TUFF_FAULT_INDEX_MOVED) return moved;
+    return fault == TUFF_OK && !stale && !missing && !elsewhere;
+}
+
+static void test_the_checks_name_what_is_wrong_with_the_index(void **state)
+{
+    static world_fixture w;
+    random_run run = random_cases(__func__, 42, 1000);
+    (void)state;
+    for (uint32_t i = run.first; i < run.end; i++) {
+        random_source source = random_stream(run.seed, i);
+        world_make(&source, &w);
+        for (int step = 0; step < 100; step++) {
+            uint16_t piece;
+            bool edited = world_edit(&source, &w);
+            if (edited && index_fault_right(&w, tuff_check_world(&w.world, &piece))) continue;
+            random_print_case(&run, i);
+            fail_msg("step %d: the check says: %s", step, tuff_fault_text(tuff_check_world(&w.world, &piece)));
+        }
+    }
+}
+
+/* ---- single facts ---- */
+
+#define ROOM 4
+typedef struct small_index {
+    uint16_t         buckets[2];
+    tuff_chunk_entry entries[ROOM];
+    tuff_chunks      chunks;
+    tuff_terrain     pieces[ROOM];
+    uint16_t         nearby[ROOM];
+    tuff_world       world;
+} small_index;
+
+static void make_small(small_index *s)
+{
+    *s = (small_index){ .chunks = { s->buckets, s->entries, 2, ROOM, 4, 0, 0, false } };
+    for (int i = 0; i < ROOM; i++) s->pieces[i] = (tuff_terrain){ { TUFF_WHOLE(i), 0 }, TUFF_WHOLE(1), TUFF_WHOLE(1), NULL, 0 };
+    s->world = (tuff_world){ s->pieces, ROOM, &s->chunks, s->nearby, ROOM, TUFF_ORDER_ITERATION };
+    assert_int_equal(tuff_world_index(&s->world), 0);
+}
+
+static void test_a_refused_entry_changes_nothing(void **state)
+{
+    small_index s;
+    tuff_chunk_entry entries[ROOM];
+    (void)state;
+    make_small(&s);
+    memcpy(entries, s.entries, sizeof entries);
+    assert_false(tuff_chunks_insert(&s.chunks, ROOM, (tuff_vec2){ 0, 0 }, TUFF_WHOLE(1)));
+    assert_false(tuff_chunks_insert(&s.chunks, 65535, (tuff_vec2){ 0, 0 }, TUFF_WHOLE(1)));
+    assert_false(tuff_chunks_move(&s.chunks, 1, (tuff_vec2){ 0, 0 }, -TUFF_WHOLE(1)));
+    assert_false(tuff_chunks_move(&s.chunks, 1, (tuff_vec2){ 0, 0 }, TUFF_WHOLE(TUFF_MAX_BOUNDING_RADIUS + 1)));
+    assert_false(tuff_chunks_remove(&s.chunks, ROOM));
+    assert_false(tuff_chunks_remove(&s.chunks, 65535));
+    assert_false(tuff_chunks_insert(NULL, 0, (tuff_vec2){ 0, 0 }, TUFF_WHOLE(1)));
+    assert_false(tuff_chunks_remove(NULL, 0));
+    tuff_chunks_clear(NULL);
+    assert_memory_equal(entries, s.entries, sizeof entries);
+    assert_int_equal(tuff_nearby_terrain(&s.world, (tuff_vec2){ 0, 0 }, TUFF_WHOLE(9)), ROOM);
+}
+
+static void test_world_index_counts_what_it_could_not_hold(void **state)
+{
+    small_index s;
+    (void)state;
+    make_small(&s);
+    s.chunks.capacity = 1;
+    assert_int_equal(tuff_world_index(&s.world), ROOM - 1);
+    assert_int_equal(tuff_nearby_terrain(&s.world, (tuff_vec2){ 0, 0 }, TUFF_WHOLE(9)), 1);
+    s.chunks.capacity = ROOM - 1;
+    s.pieces[2] = (tuff_terrain){ .part_count = 0 };
+    assert_int_equal(tuff_world_index(&s.world), 1);
+    assert_int_equal(tuff_nearby_terrain(&s.world, (tuff_vec2){ 0, 0 }, TUFF_WHOLE(9)), ROOM - 2);
+}
+
+static void test_an_index_without_room_scans(void **state)
+{
+    small_index s;
+    (void)state;
+    make_small(&s);
+    s.chunks = (tuff_chunks){ NULL, NULL, 0, 0, 4, 0, 0, false };
+    assert_false(tuff_chunks_insert(&s.chunks, 0, (tuff_vec2){ 0, 0 }, TUFF_WHOLE(1)));
+    assert_int_equal(tuff_nearby_terrain(&s.world, (tuff_vec2){ 0, 0 }, TUFF_WHOLE(9)), ROOM);
+}
+
+/* Insert, move and remove of most piece numbers that there are. */
+static void test_the_largest_world_fits(void **state)
+{
+    static tuff_terrain pieces[TUFF_MAX_PIECES];
+    static tuff_chunk_entry entries[TUFF_MAX_PIECES];
+    static uint16_t buckets[32768];
+    static uint16_t nearby[4];
+    tuff_chunks chunks = TUFF_CHUNKS(buckets, entries, 6);
+    tuff_world world = { pieces, TUFF_MAX_PIECES, &chunks, nearby, 4, TUFF_ORDER_ITERATION };
+    uint16_t fault;
+    (void)state;
+    for (int i = 0; i < TUFF_MAX_PIECES; i++) {
+        tuff_vec2 position = { TUFF_WHOLE(i % 256 * 200 - 25600), TUFF_WHOLE(i / 256 * 200 - 25600) };
+        pieces[i] = (tuff_terrain){ position, TUFF_WHOLE(20), TUFF_WHOLE(20), NULL, 0 };
+    }
+    assert_int_equal(tuff_world_index(&world), 0);
+    assert_int_equal(tuff_check_world(&world, &fault), TUFF_OK);
+    for (int i = 0; i < TUFF_MAX_PIECES; i += 97) {
+        assert_int_equal(tuff_nearby_terrain(&world, pieces[i].position, TUFF_WHOLE(100)), 1);
+        assert_int_equal(nearby[0], i);
+        assert_true(tuff_chunks_remove(&chunks, (uint16_t)i));
+        assert_int_equal(tuff_nearby_terrain(&world, pieces[i].position, TUFF_WHOLE(100)), 0);
+    }
+    assert_true(tuff_chunks_move(&chunks, TUFF_MAX_PIECES - 1, (tuff_vec2){ 0, 0 }, TUFF_WHOLE(20)));
+    assert_int_equal(tuff_check_world(&world, &fault), TUFF_FAULT_INDEX_MISSING);
+}
+
+/* An array may be larger than there can be pieces: the number that ends lists is no link then either. */
+static void test_more_entries_than_pieces_do_no_harm(void **state)
+{
+    static tuff_chunk_entry entries[65535];
+    static uint16_t buckets[1];
+    static uint16_t nearby[4];
+    tuff_terrain pieces[3];
+    tuff_chunks chunks = TUFF_CHUNKS(buckets, entries, 4);
+    tuff_world world = { pieces, 3, &chunks, nearby, 4, TUFF_ORDER_ITERATION };
+    uint16_t fault;
+    (void)state;
+    for (int i = 0; i < 3; i++) pieces[i] = (tuff_terrain){ { 0, 0 }, TUFF_WHOLE(2), TUFF_WHOLE(i == 1 ? 200 : 2), NULL, 0 };
+    assert_int_equal(tuff_world_index(&world), 0);
+    assert_int_equal(tuff_check_world(&world, &fault), TUFF_OK);
+    assert_int_equal(tuff_nearby_terrain(&world, pieces[0].position, 0), 3);
+    assert_int_equal(nearby[0] + nearby[1] + nearby[2], 3);
+    assert_false(tuff_chunks_insert(&chunks, TUFF_MAX_PIECES, pieces[0].position, TUFF_WHOLE(2)));
+    for (uint16_t i = 0; i < 3; i++) assert_true(tuff_chunks_remove(&chunks, i));
+    assert_false(tuff_chunks_remove(&chunks, 1));
+    assert_int_equal(tuff_nearby_terrain(&world, pieces[0].position, 0), 0);
+}
+
+int main(int argc, char **argv)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_pushes_come_in_the_promised_order),
+        cmocka_unit_test(test_the_checks_name_what_is_wrong_with_the_index),
+        cmocka_unit_test(test_a_refused_entry_changes_nothing),
+        cmocka_unit_test(test_world_index_counts_what_it_could_not_hold),
+        cmocka_unit_test(test_an_index_without_room_scans),
+        cmocka_unit_test(test_the_largest_world_fits),
+        cmocka_unit_test(test_more_entries_than_pieces_do_no_harm),
+    };
+    (void)argc;
+    random_begin(argv);
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
