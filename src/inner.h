@@ -153,7 +153,7 @@ static inline uint16_t tuff_bucket(const tuff_chunks *chunks, int32_t x, int32_t
 
 static inline bool tuff_link_valid(const tuff_chunks *chunks, uint16_t link)
 {
-    return link != 0 && link <= chunks->capacity;
+    return link != 0 && link <= chunks->capacity && link != TUFF_LIST_END;
 }
 
 /* Has the index storage, and was something inserted? */
