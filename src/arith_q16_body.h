@@ -25,7 +25,7 @@ static unsigned tuff_even_shift(uint64_t q)
      2. one Newton step y1 = y0 (3 - u y0^2) / 2 squares that: 3/2 * 0.0076^2 < 8.7e-5, plus 2^-14 for the 16 bits of u that it
         reads (half of 2^-16 / (1/4)) and 2^-16 for its own rounding;
      3. the residue e = 1 - u y1^2, from all 64 bits of q, is then below 4e-4 and exact to 2^-43, and 1 / sqrt(u) = y1 (1 - e)^(-1/2)
-        = y1 (1 + e/2 + 3/8 e^2 + 5/16 e^3 + ...), of which the terms left out are below 2.1e-11 < 2^-35. */
+        = y1 (1 + e/2 + 3/8 e^2 + 5/16 e^3 + ...), of which the terms left out are below 2.1e-11 < 2^-35.  */
 static uint32_t tuff_inverse_root(uint64_t q)
 {
     uint32_t u = (uint32_t)(q >> 32);

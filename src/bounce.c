@@ -4,7 +4,8 @@
    What a contact does to a body: out by the overlap, then the speed by its material. */
 #include "inner.h"
 
-const tuff_material tuff_default_material = { TUFF_RATIO(9, 100), TUFF_RATIO(1, 100) };
+/* The impulse factor 1.09 less 1. */
+const tuff_material tuff_default_material = { TUFF_RATIO(109 - 100, 100), TUFF_RATIO(1, 100) };
 
 /* Within 0 .. limit whole units; NaN: 0. */
 static tuff_real clamped(tuff_real a, int32_t limit)

@@ -1,27 +1,20 @@
 /* SPDX-License-Identifier: Zlib
    Copyright (c) 2026 the tuff authors
 
-   Options. Each can be given on the command line (-DNAME=value); a file named by
-   TUFF_CONFIG_HEADER is read first and replaces the defaults; the command line wins. The library and the game
-   must be compiled with the same values. */
+   Options. Each can be given on the command line (-DNAME=value). A file named by TUFF_CONFIG_HEADER is read first and
+   replaces the defaults; the command line wins where that file guards its lines with #ifndef, as this one does. The
+   library and the game must be compiled with the same values. */
 #ifndef TUFF_CONFIG_H
 #define TUFF_CONFIG_H
 
-/* The two spellings of TUFF_SCALAR. */
+/* TUFF_SCALAR, the number type; no default. TUFF_FLOAT: float, for machines with an FPU. TUFF_Q16_16: 16.16 fixed point
+   in int32_t, for machines without one, and for the same bits on all of them. */
 #define TUFF_FLOAT  32
 #define TUFF_Q16_16 16
 
 /* -DTUFF_CONFIG_HEADER='"my_tuff_config.h"': a file of your own with any of the options below. Default: none. */
 #ifdef TUFF_CONFIG_HEADER
 #include TUFF_CONFIG_HEADER
-#endif
-
-/* The number type; no default. TUFF_FLOAT: float, for machines with an FPU. TUFF_Q16_16: 16.16 fixed point in
-   int32_t, for machines without one, and for the same bits on all of them. */
-#ifndef TUFF_SCALAR
-#error "tuff: choose the number type: -DTUFF_SCALAR=TUFF_FLOAT or -DTUFF_SCALAR=TUFF_Q16_16"
-#elif (TUFF_SCALAR + 0) != TUFF_FLOAT && (TUFF_SCALAR + 0) != TUFF_Q16_16
-#error "tuff: TUFF_SCALAR is neither: spell it -DTUFF_SCALAR=TUFF_FLOAT or -DTUFF_SCALAR=TUFF_Q16_16"
 #endif
 
 /* Pushes that one collide call makes at most. Unit: pushes. Default 16, range 1 .. 65535. A body wedged between

@@ -15,16 +15,20 @@
 /* Public function names carry the build in the object file (tuff_q16_bounce, tuff_float_bounce), so that a game of one
    build does not link with the library of the other, and both libraries link into one program. TUFF_ARITH_HEADER and
    TUFF_ARITH_SOURCE name the inner arithmetic of the build for src/. */
-#if TUFF_SCALAR == TUFF_Q16_16
+#ifndef TUFF_SCALAR
+#error "tuff: choose the number type: -DTUFF_SCALAR=TUFF_FLOAT or -DTUFF_SCALAR=TUFF_Q16_16"
+#elif (TUFF_SCALAR + 0) == TUFF_Q16_16
 #include "scalar_q16.h"
 #define TUFF_LINK_NAME(name) tuff_q16_##name
 #define TUFF_ARITH_HEADER "arith_q16.h"
 #define TUFF_ARITH_SOURCE "arith_q16_body.h"
-#else
+#elif (TUFF_SCALAR + 0) == TUFF_FLOAT
 #include "scalar_float.h"
 #define TUFF_LINK_NAME(name) tuff_float_##name
 #define TUFF_ARITH_HEADER "arith_float.h"
 #define TUFF_ARITH_SOURCE "arith_float_body.h"
+#else
+#error "tuff: TUFF_SCALAR is neither: spell it -DTUFF_SCALAR=TUFF_FLOAT or -DTUFF_SCALAR=TUFF_Q16_16"
 #endif
 
 /* A whole number of units as a constant expression: TUFF_WHOLE(12) is 12 units. Range: -32768 .. 32767. */

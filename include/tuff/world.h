@@ -61,8 +61,9 @@ uint16_t tuff_world_index(tuff_world *world);
 void tuff_bounce(tuff_body *body, const tuff_contact *contact);
 
 /* Keep a body out of the terrain: push it out of each piece that it overlaps, and bounce. Returns the number of
-   pushes, at most TUFF_MAX_PUSHES; 0: none. hull NULL or with fewer than 3 vertices: the circle. radius covers the
-   hull. A hull without normals has them made once a call, and only if some piece's bounding circle is reached. */
+   pushes, at most TUFF_MAX_PUSHES; 0: none. A push too small to move the body (float, far from the origin) is the
+   last one. hull NULL or with fewer than 3 vertices: the circle. radius covers the hull. A hull without normals has
+   them made once a call, and only if some piece's bounding circle is reached. */
 uint16_t tuff_terrain_collide(const tuff_world *world, tuff_body *body, tuff_real radius, const tuff_polygon *hull);
 uint16_t tuff_terrain_collide_circle(const tuff_world *world, tuff_body *body, tuff_real radius);
 uint16_t tuff_terrain_collide_report(const tuff_world *world, tuff_body *body, tuff_real radius, const tuff_polygon *hull,

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Zlib
    Copyright (c) 2026 the tuff authors
 
-   What the unit tests share: tolerances, comparisons and small shapes. The one place of tests/unit that knows the scalar.
+   What the unit tests share: tolerances and comparisons. The one place of tests/unit that knows the scalar.
    No heap, no floating point beyond tuff_real, no more than integers for Unity. */
 #ifndef SUPPORT_H
 #define SUPPORT_H
@@ -102,6 +102,11 @@ static inline void expect_within(tuff_real tolerance, tuff_real expected, tuff_r
     do { ASSERT_SAME((ex), (v).x); ASSERT_SAME((ey), (v).y); } while (0)
 #define ASSERT_CONTACT(depth, nx, ny, c) \
     do { ASSERT_REAL((depth), (c).overlap); ASSERT_UNIT((nx), (c).normal.x); ASSERT_UNIT((ny), (c).normal.y); } while (0)
+#define ASSERT_CONTACT_SAME(one, other) \
+    do { ASSERT_SAME((one).overlap, (other).overlap); ASSERT_VEC_SAME((one).normal.x, (one).normal.y, (other).normal); } while (0)
+#define ASSERT_BODY_SAME(one, other) \
+    do { ASSERT_VEC_SAME((one).position.x, (one).position.y, (other).position); \
+         ASSERT_VEC_SAME((one).velocity.x, (one).velocity.y, (other).velocity); } while (0)
 
 /* A contact that no call returns: proves that false leaves it untouched. */
 static inline tuff_contact marked_contact(void)
@@ -116,37 +121,5 @@ static inline tuff_contact marked_contact(void)
 #define ASSERT_UNTOUCHED(c) \
     do { ASSERT_SAME(W(-77), (c).overlap); ASSERT_SAME(TUFF_UNIT_RATIO(1, 8), (c).normal.x); \
          ASSERT_SAME(TUFF_UNIT_RATIO(-1, 8), (c).normal.y); } while (0)
-
-/* -------------------------------------------------------------------------------------------------------- shapes */
-
-/* A box, counterclockwise where y grows upwards: edges y = y0, x = x1, y = y1, x = x0 in this order. */
-#define BOX_VERTICES(x0, y0, x1, y1) \
-    { { W(x0), W(y0) }, { W(x1), W(y0) }, { W(x1), W(y1) }, { W(x0), W(y1) } }
-#define BOX_NORMALS \
-    { { 0, TUFF_UNIT_RATIO(-1, 1) }, { ONE, 0 }, { 0, ONE }, { TUFF_UNIT_RATIO(-1, 1), 0 } }
-
-/* The same in the other winding: edges x = x0, y = y1, x = x1, y = y0. */
-#define BOX_VERTICES_REVERSED(x0, y0, x1, y1) \
-    { { W(x0), W(y0) }, { W(x0), W(y1) }, { W(x1), W(y1) }, { W(x1), W(y0) } }
-#define BOX_NORMALS_REVERSED \
-    { { TUFF_UNIT_RATIO(-1, 1), 0 }, { 0, ONE }, { ONE, 0 }, { 0, TUFF_UNIT_RATIO(-1, 1) } }
-
-/* A convex polygon with 32 edges, no two parallel alike, 13 to 14 units each way from its middle: eight primitive steps in the order
-   of their angle, then the same turned by 90, 180 and 270 degrees. */
-static inline void largest_polygon(tuff_vec2 vertices[32])
-{
-    static const int8_t step_x[8] = { 1, 3, 2, 3, 1, 2, 1, 1 };
-    static const int8_t step_y[8] = { 0, 1, 1, 2, 1, 3, 2, 3 };
-    int16_t x = 0;
-    int16_t y = -13;
-    for (uint8_t i = 0; i < 32; i++) {
-        int16_t sx = step_x[i % 8];
-        int16_t sy = step_y[i % 8];
-        uint8_t quarter = i / 8;
-        vertices[i] = whole(x, y);
-        x = (int16_t)(x + (quarter == 0 ? sx : quarter == 1 ? -sy : quarter == 2 ? -sx : sy));
-        y = (int16_t)(y + (quarter == 0 ? sy : quarter == 1 ? sx : quarter == 2 ? -sy : -sx));
-    }
-}
 
 #endif

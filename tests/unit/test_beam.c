@@ -2,39 +2,25 @@
    Copyright (c) 2026 the tuff authors
 
    Is anything between two points? DESIGN 2 (segmentTerrainIntersect), DESIGN 4 (closed, symmetric, no leaks, 33-bit differences). */
-#include "support.h"
+#include "shapes.h"
 
 #define PIECES 4
 
-static const tuff_unit2 box_normals[4] = BOX_NORMALS;
-static const tuff_vec2 box_vertices[4] = BOX_VERTICES(-10, -10, 10, 10);
-static const tuff_polygon box = { box_vertices, box_normals, 0, 4 };
+DEFINE_BOX(box, -10, -10, 10, 10);
 
-static tuff_terrain terrain[PIECES];
-static uint16_t buckets[8];
-static tuff_chunk_entry entries[PIECES];
-static tuff_chunks chunks = TUFF_CHUNKS(buckets, entries, 5);
+DEFINE_TERRAIN(PIECES, 8, 5);
 static tuff_world world;
 
 void setUp(void)
 {
-    static const tuff_terrain empty;
-    for (uint8_t i = 0; i < PIECES; i++) terrain[i] = empty;
-    tuff_chunks_clear(&chunks);
-    world.terrain = terrain;
-    world.terrain_count = PIECES;
-    world.chunks = &chunks;
+    empty_world(&world, terrain, PIECES, &chunks);
 }
 
 void tearDown(void) {}
 
 static void place(uint8_t piece, tuff_real x, tuff_real y, const tuff_polygon *parts, uint8_t part_count)
 {
-    terrain[piece].position = vec(x, y);
-    terrain[piece].radius = W(8);
-    terrain[piece].bounding_radius = W(15);
-    terrain[piece].parts = parts;
-    terrain[piece].part_count = part_count;
+    terrain[piece] = piece_of(vec(x, y), W(8), parts, part_count);
     TEST_ASSERT_TRUE(tuff_chunks_insert(&chunks, piece, terrain[piece].position, W(15)));
 }
 
@@ -113,9 +99,7 @@ static void test_any_unbaked_part_makes_the_piece_its_circle(void)
 
 static void test_the_gap_of_a_concave_piece_is_clear(void)
 {
-    static const tuff_vec2 left[4] = BOX_VERTICES(-10, -10, -4, 10);
-    static const tuff_vec2 right[4] = BOX_VERTICES(4, -10, 10, 10);
-    static const tuff_polygon parts[2] = { { left, box_normals, 0, 4 }, { right, box_normals, 0, 4 } };
+    DEFINE_PAIR_OF_BOXES(parts, 4, 10, box_normals, 0, 0);
     place(0, W(32), W(32), parts, 2);
     ASSERT_CLEAR(whole(32, 0), whole(32, 64));
     ASSERT_BLOCKED(whole(0, 32), whole(30, 32));

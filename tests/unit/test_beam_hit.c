@@ -2,29 +2,20 @@
    Copyright (c) 2026 the tuff authors
 
    What a beam hits first: fraction, normal, piece. DESIGN 2 ("Which piece, where, how"), DESIGN 7 (tuff_beam_hit). */
-#include "support.h"
+#include "shapes.h"
 
 #define PIECES 4
 
-static const tuff_unit2 box_normals[4] = BOX_NORMALS;
-static const tuff_vec2 box_vertices[4] = BOX_VERTICES(-10, -10, 10, 10);
-static const tuff_polygon box = { box_vertices, box_normals, 0, 4 };
+DEFINE_BOX(box, -10, -10, 10, 10);
+DEFINE_PAIR_OF_BOXES(halves, 0, 10, box_normals, 2, 8);   /* share the edge x = 0 */
 
-static tuff_terrain terrain[PIECES];
-static uint16_t buckets[8];
-static tuff_chunk_entry entries[PIECES];
-static tuff_chunks chunks = TUFF_CHUNKS(buckets, entries, 5);
+DEFINE_TERRAIN(PIECES, 8, 5);
 static tuff_world world;
 static tuff_beam_hit hit;
 
 void setUp(void)
 {
-    static const tuff_terrain empty;
-    for (uint8_t i = 0; i < PIECES; i++) terrain[i] = empty;
-    tuff_chunks_clear(&chunks);
-    world.terrain = terrain;
-    world.terrain_count = PIECES;
-    world.chunks = &chunks;
+    empty_world(&world, terrain, PIECES, &chunks);
     hit.fraction = TUFF_UNIT_RATIO(-1, 3);
     hit.normal.x = TUFF_UNIT_RATIO(1, 8);
     hit.normal.y = TUFF_UNIT_RATIO(-1, 8);
@@ -35,11 +26,7 @@ void tearDown(void) {}
 
 static void place(uint8_t piece, tuff_real x, tuff_real y, const tuff_polygon *parts, uint8_t part_count)
 {
-    terrain[piece].position = vec(x, y);
-    terrain[piece].radius = W(10);
-    terrain[piece].bounding_radius = W(15);
-    terrain[piece].parts = parts;
-    terrain[piece].part_count = part_count;
+    terrain[piece] = piece_of(vec(x, y), W(10), parts, part_count);
     TEST_ASSERT_TRUE(tuff_chunks_insert(&chunks, piece, terrain[piece].position, W(15)));
 }
 
@@ -100,9 +87,7 @@ static void test_of_edges_entered_at_once_an_outline_edge_is_hit(void)
 
 static void test_of_two_parts_the_nearer_is_hit_whatever_their_order(void)
 {
-    static const tuff_vec2 left[4] = BOX_VERTICES(-10, -10, -4, 10);
-    static const tuff_vec2 right[4] = BOX_VERTICES(4, -10, 10, 10);
-    static const tuff_polygon parts[2] = { { left, box_normals, 0, 4 }, { right, box_normals, 0, 4 } };
+    DEFINE_PAIR_OF_BOXES(parts, 4, 10, box_normals, 0, 0);
     place(1, W(50), W(50), parts, 2);
     TEST_ASSERT_TRUE(first_hit(whole(0, 50), whole(100, 50)));
     ASSERT_BEAM_HIT(1, TUFF_UNIT_RATIO(2, 5), -ONE, 0);
@@ -197,10 +182,7 @@ static void test_ties_go_to_the_lowest_piece(void)
 /* Two parts with a shared edge across the beam: entered at the outline, never inside the piece. */
 static void test_a_piece_of_parts_is_hit_at_its_outline(void)
 {
-    static const tuff_vec2 left[4] = BOX_VERTICES(-10, -10, 0, 10);
-    static const tuff_vec2 right[4] = BOX_VERTICES(0, -10, 10, 10);
-    static const tuff_polygon parts[2] = { { left, box_normals, 2, 4 }, { right, box_normals, 8, 4 } };
-    place(0, W(50), W(50), parts, 2);
+    place(0, W(50), W(50), halves, 2);
     TEST_ASSERT_TRUE(first_hit(whole(0, 50), whole(100, 50)));
     ASSERT_BEAM_HIT(0, TUFF_UNIT_RATIO(2, 5), -ONE, 0);
     TEST_ASSERT_TRUE(first_hit(whole(50, 0), whole(50, 100)));
@@ -211,10 +193,7 @@ static void test_a_piece_of_parts_is_hit_at_its_outline(void)
 
 static void test_a_beam_that_ends_at_the_seam_of_two_parts_is_inside(void)
 {
-    static const tuff_vec2 left[4] = BOX_VERTICES(-10, -10, 0, 10);
-    static const tuff_vec2 right[4] = BOX_VERTICES(0, -10, 10, 10);
-    static const tuff_polygon parts[2] = { { left, box_normals, 2, 4 }, { right, box_normals, 8, 4 } };
-    place(0, W(50), W(50), parts, 2);
+    place(0, W(50), W(50), halves, 2);
     TEST_ASSERT_TRUE(first_hit(whole(50, 50), whole(90, 50)));
     ASSERT_SAME(0, hit.fraction);
     ASSERT_BEAM_HIT(0, 0, -ONE, 0);

@@ -2,7 +2,7 @@
    Copyright (c) 2026 the tuff authors
 
    Push-out and bounce. DESIGN 2 (_applyBounce, materials), DESIGN 4 (push-out always, velocity only inwards, toward zero, saturation). */
-#include "support.h"
+#include "shapes.h"
 
 static const tuff_material elastic = { W(1), 0 };
 static const tuff_material dead = { 0, 0 };
@@ -17,15 +17,6 @@ static tuff_contact contact_of(tuff_real overlap, tuff_unit nx, tuff_unit ny)
     c.normal.x = nx;
     c.normal.y = ny;
     return c;
-}
-
-static tuff_body body_of(tuff_vec2 position, tuff_vec2 velocity, const tuff_material *material)
-{
-    tuff_body body;
-    body.position = position;
-    body.velocity = velocity;
-    body.material = material;
-    return body;
 }
 
 static void test_the_body_moves_by_overlap_times_normal(void)

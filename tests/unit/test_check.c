@@ -2,13 +2,11 @@
    Copyright (c) 2026 the tuff authors
 
    What the checks call well and what they name. DESIGN 2 ("Checks for shapes and worlds"), DESIGN 4 (ranges, either winding). */
-#include "support.h"
+#include "shapes.h"
 
 #define PIECES 4
 
-static const tuff_unit2 box_normals[4] = BOX_NORMALS;
-static const tuff_vec2 box_vertices[4] = BOX_VERTICES(-10, -10, 10, 10);
-static const tuff_polygon box = { box_vertices, box_normals, 0, 4 };
+DEFINE_BOX(box, -10, -10, 10, 10);
 
 static tuff_polygon polygon;       /* a box whose vertices and normals a test may spoil */
 static tuff_vec2 vertices[4];
@@ -17,10 +15,7 @@ static tuff_terrain piece;
 static tuff_body body;
 static tuff_material material;
 
-static tuff_terrain terrain[PIECES];
-static uint16_t buckets[4];
-static tuff_chunk_entry entries[PIECES];
-static tuff_chunks chunks = TUFF_CHUNKS(buckets, entries, 6);
+DEFINE_TERRAIN(PIECES, 4, 6);
 static tuff_world world;
 
 void setUp(void)
@@ -32,16 +27,10 @@ void setUp(void)
     polygon = box;
     polygon.vertices = vertices;
     polygon.normals = normals;
-    piece.position = whole(100, -50);
-    piece.radius = W(10);
-    piece.bounding_radius = W(15);
-    piece.parts = &polygon;
-    piece.part_count = 1;
+    piece = piece_of(whole(100, -50), W(10), &polygon, 1);
     material.restitution = TUFF_RATIO(1, 2);
     material.friction = TUFF_RATIO(1, 10);
-    body.position = whole(3, 4);
-    body.velocity = whole(-5, 6);
-    body.material = &material;
+    body = body_of(whole(3, 4), whole(-5, 6), &material);
     for (uint8_t i = 0; i < PIECES; i++) {
         terrain[i] = piece;
         terrain[i].parts = &box;
@@ -62,6 +51,7 @@ void setUp(void)
 void tearDown(void) {}
 
 #define ASSERT_POLYGON(fault) TEST_ASSERT_EQUAL_INT((fault), tuff_check_polygon(&polygon))
+#define ASSERT_HULL(fault)    TEST_ASSERT_EQUAL_INT((fault), tuff_check_hull(&polygon))
 #define ASSERT_PIECE(fault)   TEST_ASSERT_EQUAL_INT((fault), tuff_check_terrain(&piece))
 #define ASSERT_BODY(fault)    TEST_ASSERT_EQUAL_INT((fault), tuff_check_body(&body, W(15), &polygon))
 
@@ -75,16 +65,15 @@ static void test_good_polygons_are_well_in_either_winding(void)
     polygon.vertices = reversed;
     polygon.normals = reversed_normals;
     ASSERT_POLYGON(TUFF_OK);
-    TEST_ASSERT_EQUAL_INT(TUFF_OK, tuff_check_hull(&polygon));
+    ASSERT_HULL(TUFF_OK);
 }
 
 static void test_the_largest_polygon_with_made_normals_is_well(void)
 {
     tuff_vec2 many[32];
     tuff_unit2 made[32];
-    tuff_polygon large = { many, made, UINT32_C(0xFFFFFFFF), 32 };
-    largest_polygon(many);
-    tuff_edge_normals(many, 32, made);
+    tuff_polygon large = baked_largest_polygon(many, made);
+    large.internal_edges = UINT32_C(0xFFFFFFFF);
     TEST_ASSERT_EQUAL_INT(TUFF_OK, tuff_check_polygon(&large));
 }
 
@@ -92,8 +81,7 @@ static void test_collinear_vertices_are_well(void)
 {
     static const tuff_vec2 five[5] = { { W(-10), W(-10) }, { 0, W(-10) }, { W(10), W(-10) }, { W(10), W(10) }, { W(-10), W(10) } };
     tuff_unit2 made[5];
-    tuff_polygon straight = { five, made, 0, 5 };
-    tuff_edge_normals(five, 5, made);
+    tuff_polygon straight = baked(five, 5, made);
     TEST_ASSERT_EQUAL_INT(TUFF_OK, tuff_check_polygon(&straight));
 }
 
@@ -103,14 +91,14 @@ static void test_missing_pointers_are_named(void)
     TEST_ASSERT_EQUAL_INT(TUFF_FAULT_NULL, tuff_check_hull(NULL));
     polygon.vertices = NULL;
     ASSERT_POLYGON(TUFF_FAULT_NULL);
-    TEST_ASSERT_EQUAL_INT(TUFF_FAULT_NULL, tuff_check_hull(&polygon));
+    ASSERT_HULL(TUFF_FAULT_NULL);
 }
 
 static void test_normals_may_be_missing_from_a_hull_only(void)
 {
     polygon.normals = NULL;
     ASSERT_POLYGON(TUFF_FAULT_NO_NORMALS);
-    TEST_ASSERT_EQUAL_INT(TUFF_OK, tuff_check_hull(&polygon));
+    ASSERT_HULL(TUFF_OK);
 }
 
 static void test_too_few_and_too_many_vertices_are_named(void)
@@ -121,7 +109,7 @@ static void test_too_few_and_too_many_vertices_are_named(void)
     ASSERT_POLYGON(TUFF_FAULT_TOO_FEW_VERTICES);
     polygon.count = 33;
     ASSERT_POLYGON(TUFF_FAULT_TOO_MANY_VERTICES);
-    TEST_ASSERT_EQUAL_INT(TUFF_FAULT_TOO_MANY_VERTICES, tuff_check_hull(&polygon));
+    ASSERT_HULL(TUFF_FAULT_TOO_MANY_VERTICES);
 }
 
 static void test_vertices_out_of_range_are_named(void)
@@ -183,7 +171,7 @@ static void test_normals_of_wrong_length_are_named(void)
 {
     normals[1].x = TUFF_UNIT_RATIO(99, 100);
     ASSERT_POLYGON(TUFF_FAULT_NORMAL_LENGTH);
-    TEST_ASSERT_EQUAL_INT(TUFF_FAULT_NORMAL_LENGTH, tuff_check_hull(&polygon));
+    ASSERT_HULL(TUFF_FAULT_NORMAL_LENGTH);
     normals[1].x = 0;
     ASSERT_POLYGON(TUFF_FAULT_NORMAL_LENGTH);
     normals[1].x = TUFF_UNIT_RATIO(19, 10);
@@ -475,28 +463,19 @@ static void test_positions_out_of_range_are_named(void)
     ASSERT_BODY(TUFF_FAULT_POSITION_RANGE);
 }
 
+#define ASSERT_NOT_FINITE(number, bad, check) \
+    do { setUp(); (number) = (bad); check(TUFF_FAULT_NOT_FINITE); } while (0)
+
 static void test_numbers_that_are_not_finite_are_named(void)
 {
     for (uint8_t i = 0; i < 2; i++) {
         tuff_real bad = i ? NOT_A_NUMBER : INFINITE;
-        setUp();
-        piece.position.y = bad;
-        ASSERT_PIECE(TUFF_FAULT_NOT_FINITE);
-        setUp();
-        piece.radius = bad;
-        ASSERT_PIECE(TUFF_FAULT_NOT_FINITE);
-        setUp();
-        piece.bounding_radius = bad;
-        ASSERT_PIECE(TUFF_FAULT_NOT_FINITE);
-        setUp();
-        body.velocity.x = bad;
-        ASSERT_BODY(TUFF_FAULT_NOT_FINITE);
-        setUp();
-        material.friction = bad;
-        ASSERT_BODY(TUFF_FAULT_NOT_FINITE);
-        setUp();
-        vertices[3].y = bad;
-        ASSERT_POLYGON(TUFF_FAULT_NOT_FINITE);
+        ASSERT_NOT_FINITE(piece.position.y, bad, ASSERT_PIECE);
+        ASSERT_NOT_FINITE(piece.radius, bad, ASSERT_PIECE);
+        ASSERT_NOT_FINITE(piece.bounding_radius, bad, ASSERT_PIECE);
+        ASSERT_NOT_FINITE(body.velocity.x, bad, ASSERT_BODY);
+        ASSERT_NOT_FINITE(material.friction, bad, ASSERT_BODY);
+        ASSERT_NOT_FINITE(vertices[3].y, bad, ASSERT_POLYGON);
         setUp();
         normals[2].y = bad;
         TEST_ASSERT_TRUE(tuff_check_polygon(&polygon) != TUFF_OK);

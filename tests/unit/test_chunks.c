@@ -2,15 +2,12 @@
    Copyright (c) 2026 the tuff authors
 
    The index: insert, move, remove, clear. DESIGN 2 ("Chunks change at run time"), DESIGN 4 (floor, cleared and emptied index). */
-#include "support.h"
+#include "shapes.h"
 
 #define PIECES  6
 #define BUCKETS 8
 
-static tuff_terrain terrain[PIECES];
-static uint16_t buckets[BUCKETS];
-static tuff_chunk_entry entries[PIECES];
-static tuff_chunks chunks = TUFF_CHUNKS(buckets, entries, 6);
+DEFINE_TERRAIN(PIECES, BUCKETS, 6);
 static uint16_t nearby[PIECES];
 static tuff_world world = { terrain, PIECES, &chunks, nearby, PIECES, TUFF_ORDER_ITERATION };
 

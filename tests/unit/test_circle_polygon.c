@@ -2,21 +2,11 @@
    Copyright (c) 2026 the tuff authors
 
    Circle against a convex polygon. DESIGN 2 (_satCirclePoly), DESIGN 4 (every Voronoi region, ties, touching, windings). */
-#include "support.h"
+#include "shapes.h"
 
-static const tuff_vec2 box_vertices[4] = BOX_VERTICES(-10, -10, 10, 10);
-static const tuff_unit2 box_normals[4] = BOX_NORMALS;
-static const tuff_polygon box = { box_vertices, box_normals, 0, 4 };
-
-static const tuff_vec2 reversed_vertices[4] = BOX_VERTICES_REVERSED(-10, -10, 10, 10);
-static const tuff_unit2 reversed_normals[4] = BOX_NORMALS_REVERSED;
-static const tuff_polygon reversed = { reversed_vertices, reversed_normals, 0, 4 };
-
-/* Right angle at the origin, legs of 30 and 40; the third side faces (4, 3) / 5 at a distance of 24. */
-static const tuff_vec2 wedge_vertices[3] = { { 0, 0 }, { W(30), 0 }, { 0, W(40) } };
-static const tuff_unit2 wedge_normals[3] = { { 0, TUFF_UNIT_RATIO(-1, 1) }, { TUFF_UNIT_RATIO(4, 5), TUFF_UNIT_RATIO(3, 5) },
-                                             { TUFF_UNIT_RATIO(-1, 1), 0 } };
-static const tuff_polygon wedge = { wedge_vertices, wedge_normals, 0, 3 };
+DEFINE_BOX(box, -10, -10, 10, 10);
+DEFINE_BOX_REVERSED(reversed, -10, -10, 10, 10);
+DEFINE_WEDGE(wedge);
 
 void setUp(void) {}
 void tearDown(void) {}
@@ -169,9 +159,7 @@ static void test_either_winding_gives_the_same_contact(void)
         tuff_contact other = marked_contact();
         tuff_vec2 center = whole(centers[i][0], centers[i][1]);
         TEST_ASSERT_EQUAL_INT(tuff_circle_polygon(center, W(5), &box, &one), tuff_circle_polygon(center, W(5), &reversed, &other));
-        ASSERT_SAME(one.overlap, other.overlap);
-        ASSERT_SAME(one.normal.x, other.normal.x);
-        ASSERT_SAME(one.normal.y, other.normal.y);
+        ASSERT_CONTACT_SAME(one, other);
     }
 }
 
@@ -180,7 +168,7 @@ static void test_moving_out_by_the_contact_separates(void)
     static const int8_t centers[][2] = { { 12, 3 }, { 13, 14 }, { -2, -9 }, { 0, 0 }, { -12, -11 }, { 10, 10 }, { 5, -14 } };
     for (uint8_t i = 0; i < 7; i++) {
         tuff_contact c = marked_contact();
-        tuff_body body = { whole(centers[i][0], centers[i][1]), { 0, 0 }, NULL };
+        tuff_body body = body_at_rest(whole(centers[i][0], centers[i][1]));
         TEST_ASSERT_TRUE(tuff_circle_polygon(body.position, W(6), &box, &c));
         tuff_bounce(&body, &c);
         if (tuff_circle_polygon(body.position, W(6), &box, &c)) ASSERT_WITHIN(STEPS(1, 50), STEPS(1, 50), c.overlap);
@@ -191,9 +179,8 @@ static void test_a_vertex_on_a_straight_edge_changes_nothing(void)
 {
     static const tuff_vec2 vertices[5] = { { W(-10), W(-10) }, { W(10), W(-10) }, { W(10), 0 }, { W(10), W(10) }, { W(-10), W(10) } };
     tuff_unit2 normals[5];
-    tuff_polygon polygon = { vertices, normals, 0, 5 };
+    tuff_polygon polygon = baked(vertices, 5, normals);
     tuff_contact c = marked_contact();
-    tuff_edge_normals(vertices, 5, normals);
     TEST_ASSERT_TRUE(tuff_circle_polygon(whole(13, 0), W(5), &polygon, &c));
     ASSERT_CONTACT(W(2), ONE, 0, c);
     TEST_ASSERT_TRUE(tuff_circle_polygon(vec(W(13), LSB), W(5), &polygon, &c));
@@ -215,14 +202,10 @@ static void test_every_edge_and_vertex_of_the_largest_polygon_is_found(void)
 {
     tuff_vec2 vertices[32];
     tuff_unit2 normals[32];
-    tuff_polygon polygon = { vertices, normals, 0, 32 };
-    largest_polygon(vertices);
-    tuff_edge_normals(vertices, 32, normals);
+    tuff_polygon polygon = baked_largest_polygon(vertices, normals);
     for (uint8_t i = 0; i < 32; i++) {
         tuff_contact c = marked_contact();
-        tuff_vec2 a = vertices[i];
-        tuff_vec2 b = vertices[(i + 1) % 32];
-        tuff_body body = { { (a.x + b.x) / 2, (a.y + b.y) / 2 }, { 0, 0 }, NULL };
+        tuff_body body = body_on_edge(&polygon, i);
         tuff_contact out = { W(3), normals[i] };
         tuff_bounce(&body, &out);
         TEST_ASSERT_TRUE(tuff_circle_polygon(body.position, W(4), &polygon, &c));
@@ -230,7 +213,7 @@ static void test_every_edge_and_vertex_of_the_largest_polygon_is_found(void)
         TEST_ASSERT_FALSE(tuff_circle_polygon(body.position, W(3) - 2 * LSB, &polygon, &c));
         tuff_bounce(&body, &out);
         TEST_ASSERT_FALSE(tuff_circle_polygon(body.position, W(5), &polygon, &c));
-        TEST_ASSERT_TRUE(tuff_circle_polygon(a, W(1), &polygon, &c));
+        TEST_ASSERT_TRUE(tuff_circle_polygon(vertices[i], W(1), &polygon, &c));
         ASSERT_REAL(W(1), c.overlap);
     }
 }
@@ -259,9 +242,8 @@ static void test_radius_out_of_range_gives_no_contact(void)
 
 static void test_far_centers_do_not_wrap_into_a_contact(void)
 {
-    static const tuff_real ends[] = { LOWEST, HIGHEST, 0 };
     tuff_contact c = marked_contact();
-    for (uint8_t i = 0; i < 8; i++) TEST_ASSERT_FALSE(tuff_circle_polygon(vec(ends[i / 3], ends[i % 3]), W(1449), &wedge, &c));
+    for (uint8_t i = 0; i < 8; i++) TEST_ASSERT_FALSE(tuff_circle_polygon(end_of_range(i), W(1449), &wedge, &c));
     ASSERT_UNTOUCHED(c);
 }
 

@@ -3,32 +3,23 @@
 
    The frame call behind all collide calls: orders, re-tests, the limit of pushes, reports. DESIGN 2 ("Resolution free of insertion order",
    "Which piece, where, how", concave re-tests), DESIGN 4 (hull normals at most once, never loses a piece). */
-#include "support.h"
+#include "shapes.h"
 
 #include "inner.h"
 
 #define PIECES 8
 
-static const tuff_unit2 box_normals[4] = BOX_NORMALS;
-static const tuff_vec2 box_vertices[4] = BOX_VERTICES(-10, -10, 10, 10);
-static const tuff_polygon box = { box_vertices, box_normals, 0, 4 };
+DEFINE_BOX(box, -10, -10, 10, 10);
 static const tuff_material dead = { 0, 0 };
 
-static tuff_terrain terrain[PIECES];
-static uint16_t buckets[8];
-static tuff_chunk_entry entries[PIECES];
-static tuff_chunks chunks = TUFF_CHUNKS(buckets, entries, 6);
+DEFINE_TERRAIN(PIECES, 8, 6);
 static tuff_world world;
 static tuff_touch list[4];
 static tuff_touches touches;
 
 void setUp(void)
 {
-    static const tuff_terrain empty;
-    for (uint8_t i = 0; i < PIECES; i++) terrain[i] = empty;
-    tuff_chunks_clear(&chunks);
-    world.terrain = terrain;
-    world.terrain_count = PIECES;
+    empty_world(&world, terrain, PIECES, &chunks);
     world.chunks = NULL;
     world.order = TUFF_ORDER_ITERATION;
     touches.list = list;
@@ -40,20 +31,12 @@ void tearDown(void) {}
 
 static void place(uint8_t piece, int16_t x, int16_t y, const tuff_polygon *part)
 {
-    terrain[piece].position = whole(x, y);
-    terrain[piece].radius = W(5);
-    terrain[piece].bounding_radius = W(15);
-    terrain[piece].parts = part;
-    terrain[piece].part_count = part != NULL ? 1 : 0;
+    terrain[piece] = piece_of(whole(x, y), W(5), part, part != NULL ? 1 : 0);
 }
 
 static tuff_body body_at(tuff_real x, tuff_real y)
 {
-    tuff_body body;
-    body.position = vec(x, y);
-    body.velocity = vec(0, 0);
-    body.material = &dead;
-    return body;
+    return body_of(vec(x, y), vec(0, 0), &dead);
 }
 
 static uint16_t collide(tuff_body *body, tuff_real radius)
@@ -206,9 +189,7 @@ static void test_in_iteration_order_separate_pieces_push_once_each(void)
 
 static void test_no_more_than_the_limit_of_pushes_within_one_piece(void)
 {
-    static const tuff_vec2 left[4] = BOX_VERTICES(-23, -10, -3, 10);
-    static const tuff_vec2 right[4] = BOX_VERTICES(3, -10, 23, 10);
-    static const tuff_polygon parts[2] = { { left, box_normals, 0, 4 }, { right, box_normals, 0, 4 } };
+    DEFINE_PAIR_OF_BOXES(parts, 3, 23, box_normals, 0, 0);
     tuff_body body = body_at(W(1), 0);
     place(0, 0, 0, parts);
     terrain[0].bounding_radius = W(30);

@@ -2,11 +2,9 @@
    Copyright (c) 2026 the tuff authors
 
    The collide calls for circles. DESIGN 2 (terrainCollide, floaterCollide), DESIGN 7 ("The same without a hull"). */
-#include "support.h"
+#include "shapes.h"
 
-static const tuff_vec2 box_vertices[4] = BOX_VERTICES(-10, -10, 10, 10);
-static const tuff_unit2 box_normals[4] = BOX_NORMALS;
-static const tuff_polygon box = { box_vertices, box_normals, 0, 4 };
+DEFINE_BOX(box, -10, -10, 10, 10);
 static const tuff_terrain pieces[3] = { { { W(0), W(0) }, W(8), W(15), &box, 1 },
                                         { { W(0), W(0) }, 0, 0, NULL, 0 },
                                         { { W(60), W(0) }, W(8), W(15), NULL, 0 } };
@@ -19,24 +17,9 @@ void setUp(void)
 
 void tearDown(void) {}
 
-static tuff_body body_at(int16_t x, int16_t y)
-{
-    tuff_body body;
-    body.position = whole(x, y);
-    body.velocity = whole(-4, 6);
-    body.material = NULL;
-    return body;
-}
-
-static void assert_same_body(const tuff_body *a, const tuff_body *b)
-{
-    ASSERT_VEC_SAME(a->position.x, a->position.y, b->position);
-    ASSERT_VEC_SAME(a->velocity.x, a->velocity.y, b->velocity);
-}
-
 static void test_a_circle_is_pushed_out_of_a_polygon(void)
 {
-    tuff_body body = body_at(12, 3);
+    tuff_body body = moving_body(12, 3);
     TEST_ASSERT_EQUAL_INT(1, tuff_terrain_collide_circle(&world, &body, W(5)));
     ASSERT_VEC_SAME(W(15), W(3), body.position);
     ASSERT_WITHIN(STEPS(6, 20), TUFF_RATIO(36, 100), body.velocity.x);   /* 0.09 of 4 */
@@ -46,7 +29,7 @@ static void test_a_circle_is_pushed_out_of_a_polygon(void)
 
 static void test_a_circle_is_pushed_out_of_an_unbaked_piece(void)
 {
-    tuff_body body = body_at(49, 0);
+    tuff_body body = moving_body(49, 0);
     TEST_ASSERT_EQUAL_INT(1, tuff_terrain_collide_circle(&world, &body, W(5)));
     ASSERT_VEC_SAME(W(47), W(0), body.position);
 }
@@ -54,14 +37,14 @@ static void test_a_circle_is_pushed_out_of_an_unbaked_piece(void)
 static void test_it_does_what_the_hull_call_does_with_null(void)
 {
     for (int16_t x = -18; x < 80; x = (int16_t)(x + 3)) {
-        tuff_body one = body_at(x, (int16_t)(x % 7));
+        tuff_body one = moving_body(x, (int16_t)(x % 7));
         tuff_body other = one;
         tuff_body floater = one;
         uint16_t pushes = tuff_terrain_collide_circle(&world, &one, W(5));
         TEST_ASSERT_EQUAL_INT(pushes, tuff_terrain_collide(&world, &other, W(5), NULL));
         TEST_ASSERT_EQUAL_INT(pushes, tuff_floater_collide_circle(&floater, W(5), pieces, 3));
-        assert_same_body(&one, &other);
-        assert_same_body(&one, &floater);
+        ASSERT_BODY_SAME(one, other);
+        ASSERT_BODY_SAME(one, floater);
     }
 }
 
@@ -69,8 +52,8 @@ static void test_the_worlds_order_is_obeyed(void)
 {
     static const tuff_terrain pair[2] = { { { W(-7), W(0) }, W(10), W(10), NULL, 0 }, { { W(6), W(0) }, W(10), W(10), NULL, 0 } };
     tuff_world two = { pair, 2, NULL, NULL, 0, TUFF_ORDER_ITERATION };
-    tuff_body iterated = body_at(1, 0);
-    tuff_body deepest = body_at(1, 0);
+    tuff_body iterated = moving_body(1, 0);
+    tuff_body deepest = moving_body(1, 0);
     TEST_ASSERT_EQUAL_INT(2, tuff_terrain_collide_circle(&two, &iterated, W(5)));
     two.order = TUFF_ORDER_DEEPEST;
     TEST_ASSERT_EQUAL_INT(2, tuff_terrain_collide_circle(&two, &deepest, W(5)));
@@ -81,14 +64,14 @@ static void test_the_worlds_order_is_obeyed(void)
 static void test_floaters_are_taken_in_ascending_order_once(void)
 {
     static const tuff_terrain pair[2] = { { { W(0), W(0) }, W(10), W(10), NULL, 0 }, { { W(20), W(0) }, W(10), W(10), NULL, 0 } };
-    tuff_body body = body_at(9, 0);
+    tuff_body body = moving_body(9, 0);
     TEST_ASSERT_EQUAL_INT(2, tuff_floater_collide_circle(&body, W(5), pair, 2));
     ASSERT_VEC_SAME(W(5), 0, body.position);   /* 15 by the first, 5 by the second: what still overlaps waits */
 }
 
 static void test_null_and_none_are_no_contact(void)
 {
-    tuff_body body = body_at(12, 3);
+    tuff_body body = moving_body(12, 3);
     TEST_ASSERT_EQUAL_INT(0, tuff_terrain_collide_circle(NULL, &body, W(5)));
     TEST_ASSERT_EQUAL_INT(0, tuff_terrain_collide_circle(&world, NULL, W(5)));
     TEST_ASSERT_EQUAL_INT(0, tuff_floater_collide_circle(&body, W(5), NULL, 3));
@@ -99,7 +82,7 @@ static void test_null_and_none_are_no_contact(void)
 
 static void test_radius_out_of_range_is_no_contact(void)
 {
-    tuff_body body = body_at(12, 3);
+    tuff_body body = moving_body(12, 3);
     TEST_ASSERT_EQUAL_INT(0, tuff_terrain_collide_circle(&world, &body, W(-5)));
     TEST_ASSERT_EQUAL_INT(0, tuff_terrain_collide_circle(&world, &body, W(1450)));
     TEST_ASSERT_EQUAL_INT(0, tuff_terrain_collide_circle(&world, &body, LOWEST));
@@ -110,7 +93,7 @@ static void test_radius_out_of_range_is_no_contact(void)
 
 static void test_a_point_collides(void)
 {
-    tuff_body body = body_at(8, 3);
+    tuff_body body = moving_body(8, 3);
     TEST_ASSERT_EQUAL_INT(1, tuff_terrain_collide_circle(&world, &body, 0));
     ASSERT_VEC_SAME(W(10), W(3), body.position);
     TEST_ASSERT_EQUAL_INT(0, tuff_terrain_collide_circle(&world, &body, 0));
@@ -118,7 +101,7 @@ static void test_a_point_collides(void)
 
 static void test_not_a_number_is_no_contact(void)
 {
-    tuff_body body = body_at(12, 3);
+    tuff_body body = moving_body(12, 3);
     TEST_ASSERT_EQUAL_INT(0, tuff_terrain_collide_circle(&world, &body, NOT_A_NUMBER));
     TEST_ASSERT_EQUAL_INT(0, tuff_terrain_collide_circle(&world, &body, INFINITE));
     ASSERT_VEC_SAME(W(12), W(3), body.position);

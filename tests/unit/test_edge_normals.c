@@ -2,7 +2,7 @@
    Copyright (c) 2026 the tuff authors
 
    Outward unit normals from vertices. DESIGN 7 (tuff_edge_normals), DESIGN 4 (no normalized zero vector). */
-#include "support.h"
+#include "shapes.h"
 
 static tuff_unit2 normals[33];
 

@@ -2,25 +2,17 @@
    Copyright (c) 2026 the tuff authors
 
    The nearby query. DESIGN 2 (nearbyTerrain), DESIGN 4 ("Nearby query": exactly the pieces whose circles touch, each once). */
-#include "support.h"
+#include "shapes.h"
 
 #define PIECES 8
 
-static tuff_terrain terrain[PIECES];
-static uint16_t buckets[16];
-static tuff_chunk_entry entries[PIECES];
-static tuff_chunks chunks = TUFF_CHUNKS(buckets, entries, 6);
+DEFINE_TERRAIN(PIECES, 16, 6);
 static uint16_t nearby[PIECES];
 static tuff_world world;
 
 void setUp(void)
 {
-    static const tuff_terrain empty;
-    for (uint8_t i = 0; i < PIECES; i++) terrain[i] = empty;
-    tuff_chunks_clear(&chunks);
-    world.terrain = terrain;
-    world.terrain_count = PIECES;
-    world.chunks = &chunks;
+    empty_world(&world, terrain, PIECES, &chunks);
     world.nearby = nearby;
     world.nearby_capacity = PIECES;
 }

@@ -3,11 +3,9 @@
 
    A circle against one piece, at world positions. DESIGN 2 (_terrainOverlap, fallback to the circle), DESIGN 4 (empty slot, range,
    independence of the distance from the origin). */
-#include "support.h"
+#include "shapes.h"
 
-static const tuff_vec2 box_vertices[4] = BOX_VERTICES(-10, -10, 10, 10);
-static const tuff_unit2 box_normals[4] = BOX_NORMALS;
-static const tuff_polygon box = { box_vertices, box_normals, 0, 4 };
+DEFINE_BOX(box, -10, -10, 10, 10);
 static const tuff_terrain piece = { { W(100), W(-50) }, W(6), W(15), &box, 1 };
 
 void setUp(void) {}
@@ -123,11 +121,9 @@ static void test_radius_out_of_range_gives_no_contact(void)
 /* Steps of 1/128 and more: what the float build still holds out there. */
 static void test_results_do_not_depend_on_the_distance_from_the_origin(void)
 {
-    static const int16_t origins[][2] = { { 0, 0 }, { 16000, -16000 }, { -32000, 32000 }, { 32000, 1 }, { -7, -32000 } };
-    for (uint8_t i = 0; i < 5; i++) {
-        tuff_terrain far = piece;
+    for (uint8_t i = 0; i < FAR_PLACES; i++) {
+        tuff_terrain far = moved_far(&piece, i);
         tuff_contact c = marked_contact();
-        far.position = whole(origins[i][0], origins[i][1]);
         tuff_vec2 center = vec(far.position.x + TUFF_RATIO(25, 2), far.position.y + TUFF_RATIO(-23, 2));
         TEST_ASSERT_TRUE(tuff_terrain_overlap_circle(&far, center, W(4), &c));
         ASSERT_CONTACT(TUFF_REAL_RAW(71075), TUFF_UNIT_RAW(920726018), TUFF_UNIT_RAW(-552435611), c);   /* (2.5, -1.5) off the corner */

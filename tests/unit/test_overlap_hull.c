@@ -2,11 +2,9 @@
    Copyright (c) 2026 the tuff authors
 
    A hull against one piece, at world positions. DESIGN 2 (_terrainOverlapPoly), DESIGN 7 (hull NULL, the hull's radius). */
-#include "support.h"
+#include "shapes.h"
 
-static const tuff_unit2 box_normals[4] = BOX_NORMALS;
-static const tuff_vec2 box_vertices[4] = BOX_VERTICES(-10, -10, 10, 10);
-static const tuff_polygon box = { box_vertices, box_normals, 0, 4 };
+DEFINE_BOX(box, -10, -10, 10, 10);
 static const tuff_terrain piece = { { W(100), W(-50) }, W(6), W(15), &box, 1 };
 
 static const tuff_vec2 hull_vertices[4] = BOX_VERTICES(-4, -4, 4, 4);
@@ -55,8 +53,7 @@ static void assert_is_the_circle(const tuff_polygon *no_hull)
         tuff_vec2 center = whole(centers[i][0], centers[i][1]);
         TEST_ASSERT_EQUAL_INT(tuff_terrain_overlap_circle(&piece, center, W(5), &one),
                               tuff_terrain_overlap_hull(&piece, center, W(5), no_hull, &other));
-        ASSERT_SAME(one.overlap, other.overlap);
-        ASSERT_VEC_SAME(one.normal.x, one.normal.y, other.normal);
+        ASSERT_CONTACT_SAME(one, other);
     }
 }
 
@@ -120,11 +117,9 @@ static void test_radius_out_of_range_gives_no_contact(void)
 
 static void test_results_do_not_depend_on_the_distance_from_the_origin(void)
 {
-    static const int16_t origins[][2] = { { 0, 0 }, { 16000, -16000 }, { -32000, 32000 }, { 32000, 1 }, { -7, -32000 } };
-    for (uint8_t i = 0; i < 5; i++) {
-        tuff_terrain far = piece;
+    for (uint8_t i = 0; i < FAR_PLACES; i++) {
+        tuff_terrain far = moved_far(&piece, i);
         tuff_contact c = marked_contact();
-        far.position = whole(origins[i][0], origins[i][1]);
         tuff_vec2 position = vec(far.position.x + TUFF_RATIO(25, 2), far.position.y + TUFF_RATIO(-27, 2));
         TEST_ASSERT_TRUE(tuff_terrain_overlap_hull(&far, position, W(6), &hull, &c));
         ASSERT_CONTACT(TUFF_RATIO(1, 2), 0, -ONE, c);

@@ -2,7 +2,7 @@
    Copyright (c) 2026 the tuff authors
 
    Pieces of several convex parts: the rule for internal edges. DESIGN 2 ("Concave outlines stay exact"). */
-#include "support.h"
+#include "shapes.h"
 
 static const tuff_unit2 normals[4] = BOX_NORMALS;   /* edges: 0 down (0, -1), 1 right, 2 up, 3 left */
 

@@ -2,20 +2,15 @@
    Copyright (c) 2026 the tuff authors
 
    Hull against a convex polygon. DESIGN 2 (_satPolyPoly), DESIGN 4 (minimum translation, ties, windings). */
-#include "support.h"
+#include "shapes.h"
 
-static const tuff_vec2 box_vertices[4] = BOX_VERTICES(-10, -10, 10, 10);
-static const tuff_unit2 box_normals[4] = BOX_NORMALS;
-static const tuff_polygon box = { box_vertices, box_normals, 0, 4 };
-
-static const tuff_vec2 reversed_vertices[4] = BOX_VERTICES_REVERSED(-10, -10, 10, 10);
-static const tuff_unit2 reversed_normals[4] = BOX_NORMALS_REVERSED;
-static const tuff_polygon reversed = { reversed_vertices, reversed_normals, 0, 4 };
+DEFINE_BOX(box, -10, -10, 10, 10);
+DEFINE_BOX_REVERSED(reversed, -10, -10, 10, 10);
 
 static const tuff_vec2 hull_vertices[4] = BOX_VERTICES(-4, -4, 4, 4);
 static const tuff_polygon hull = { hull_vertices, box_normals, 0, 4 };
 
-static const tuff_vec2 diamond_vertices[4] = { { W(5), 0 }, { 0, W(5) }, { W(-5), 0 }, { 0, W(-5) } };
+static const tuff_vec2 diamond_vertices[4] = DIAMOND_VERTICES;
 static const tuff_unit2 diamond_normals[4] = { { HALF_ROOT, HALF_ROOT }, { TUFF_UNIT_RAW(-759250125), HALF_ROOT },
                                                { TUFF_UNIT_RAW(-759250125), TUFF_UNIT_RAW(-759250125) },
                                                { HALF_ROOT, TUFF_UNIT_RAW(-759250125) } };
@@ -52,10 +47,7 @@ static void test_touching_hulls_do_not_collide(void)
    LSB, 0.4 and 0.6. */
 static void test_overlap_is_judged_after_rounding(void)
 {
-    static const tuff_vec2 vertices[3] = { { 0, 0 }, { W(30), 0 }, { 0, W(40) } };
-    static const tuff_unit2 normals[3] = { { 0, TUFF_UNIT_RATIO(-1, 1) }, { TUFF_UNIT_RATIO(4, 5), TUFF_UNIT_RATIO(3, 5) },
-                                           { TUFF_UNIT_RATIO(-1, 1), 0 } };
-    static const tuff_polygon wedge = { vertices, normals, 0, 3 };
+    DEFINE_WEDGE(wedge);
     tuff_contact c = marked_contact();
     TEST_ASSERT_FALSE(tuff_polygon_polygon(&hull, vec(W(19) + LSB, W(24) - 2 * LSB), &wedge, &c));
     ASSERT_UNTOUCHED(c);
@@ -137,9 +129,7 @@ static void test_either_winding_of_either_shape_gives_the_same(void)
         for (uint8_t mix = 1; mix < 4; mix++) {
             tuff_contact other = marked_contact();
             TEST_ASSERT_EQUAL_INT(hit, tuff_polygon_polygon(mix & 1 ? &reversed : &box, offset, mix & 2 ? &reversed : &box, &other));
-            ASSERT_SAME(one.overlap, other.overlap);
-            ASSERT_SAME(one.normal.x, other.normal.x);
-            ASSERT_SAME(one.normal.y, other.normal.y);
+            ASSERT_CONTACT_SAME(one, other);
         }
     }
 }
@@ -149,7 +139,7 @@ static void test_moving_out_by_the_contact_separates(void)
     static const int8_t offsets[][2] = { { 12, 12 }, { 3, 12 }, { -9, -8 }, { 0, 0 }, { 13, -2 }, { -1, 14 } };
     for (uint8_t i = 0; i < 6; i++) {
         tuff_contact c = marked_contact();
-        tuff_body body = { whole(offsets[i][0], offsets[i][1]), { 0, 0 }, NULL };
+        tuff_body body = body_at_rest(whole(offsets[i][0], offsets[i][1]));
         TEST_ASSERT_TRUE(tuff_polygon_polygon(&diamond, body.position, &box, &c));
         tuff_bounce(&body, &c);
         if (tuff_polygon_polygon(&diamond, body.position, &box, &c)) ASSERT_WITHIN(STEPS(1, 50), STEPS(1, 50), c.overlap);
@@ -175,14 +165,10 @@ static void test_every_edge_of_the_largest_polygon_separates_a_small_hull(void)
     static const tuff_polygon small = { small_vertices, NULL, 0, 3 };
     tuff_vec2 vertices[32];
     tuff_unit2 normals[32];
-    tuff_polygon polygon = { vertices, normals, 0, 32 };
-    largest_polygon(vertices);
-    tuff_edge_normals(vertices, 32, normals);
+    tuff_polygon polygon = baked_largest_polygon(vertices, normals);
     for (uint8_t i = 0; i < 32; i++) {
         tuff_contact c = marked_contact();
-        tuff_vec2 a = vertices[i];
-        tuff_vec2 b = vertices[(i + 1) % 32];
-        tuff_body body = { { (a.x + b.x) / 2, (a.y + b.y) / 2 }, { 0, 0 }, NULL };
+        tuff_body body = body_on_edge(&polygon, i);
         tuff_contact out = { 3 * LSB, normals[i] };
         tuff_bounce(&body, &out);
         TEST_ASSERT_FALSE(tuff_polygon_polygon(&small, body.position, &polygon, &c));
@@ -211,9 +197,8 @@ static void test_the_limits_of_size_are_legal(void)
 
 static void test_far_offsets_do_not_wrap_into_a_contact(void)
 {
-    static const tuff_real ends[] = { LOWEST, HIGHEST, 0 };
     tuff_contact c = marked_contact();
-    for (uint8_t i = 0; i < 8; i++) TEST_ASSERT_FALSE(tuff_polygon_polygon(&diamond, vec(ends[i / 3], ends[i % 3]), &box, &c));
+    for (uint8_t i = 0; i < 8; i++) TEST_ASSERT_FALSE(tuff_polygon_polygon(&diamond, end_of_range(i), &box, &c));
     ASSERT_UNTOUCHED(c);
 }
 

@@ -2,20 +2,11 @@
    Copyright (c) 2026 the tuff authors
 
    Segment against a closed convex polygon. DESIGN 2 (_segmentPolyIntersect), DESIGN 4 (closed, exact, symmetric, no leaks). */
-#include "support.h"
+#include "shapes.h"
 
-static const tuff_unit2 box_normals[4] = BOX_NORMALS;
-static const tuff_vec2 box_vertices[4] = BOX_VERTICES(-10, -10, 10, 10);
-static const tuff_polygon box = { box_vertices, box_normals, 0, 4 };
-
-static const tuff_vec2 reversed_vertices[4] = BOX_VERTICES_REVERSED(-10, -10, 10, 10);
-static const tuff_unit2 reversed_normals[4] = BOX_NORMALS_REVERSED;
-static const tuff_polygon reversed = { reversed_vertices, reversed_normals, 0, 4 };
-
-static const tuff_vec2 wedge_vertices[3] = { { 0, 0 }, { W(30), 0 }, { 0, W(40) } };
-static const tuff_unit2 wedge_normals[3] = { { 0, TUFF_UNIT_RATIO(-1, 1) }, { TUFF_UNIT_RATIO(4, 5), TUFF_UNIT_RATIO(3, 5) },
-                                             { TUFF_UNIT_RATIO(-1, 1), 0 } };
-static const tuff_polygon wedge = { wedge_vertices, wedge_normals, 0, 3 };
+DEFINE_BOX(box, -10, -10, 10, 10);
+DEFINE_BOX_REVERSED(reversed, -10, -10, 10, 10);
+DEFINE_WEDGE(wedge);
 
 void setUp(void) {}
 void tearDown(void) {}
@@ -191,9 +182,7 @@ static void test_the_largest_polygon_is_tested_edge_by_edge(void)
 {
     tuff_vec2 vertices[32];
     tuff_unit2 normals[32];
-    tuff_polygon polygon = { vertices, normals, 0, 32 };
-    largest_polygon(vertices);
-    tuff_edge_normals(vertices, 32, normals);
+    tuff_polygon polygon = baked_largest_polygon(vertices, normals);
     for (uint8_t i = 0; i < 32; i++) {
         tuff_vec2 a = vertices[i];
         tuff_vec2 b = vertices[(i + 1) % 32];

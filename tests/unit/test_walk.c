@@ -3,16 +3,13 @@
 
    Walks over the index (inner.h): order, coverage, ends. DESIGN 2 (iteration order), DESIGN 4 ("no more chunks than needed", "Beams walk
    the chunks along the line"). */
-#include "support.h"
+#include "shapes.h"
 
 #include "inner.h"
 
 #define PIECES 12
 
-static tuff_terrain terrain[PIECES];
-static uint16_t buckets[8];
-static tuff_chunk_entry entries[PIECES];
-static tuff_chunks chunks = TUFF_CHUNKS(buckets, entries, 4);   /* 16 units */
+DEFINE_TERRAIN(PIECES, 8, 4);   /* 16 units */
 static tuff_world world = { terrain, PIECES, &chunks, NULL, 0, TUFF_ORDER_ITERATION };
 static uint16_t met[PIECES];
 static uint16_t met_count;
@@ -73,6 +70,9 @@ static void assert_met(const uint16_t *expected, uint16_t count)
     TEST_ASSERT_EQUAL_INT(count, met_count);
     for (uint16_t i = 0; i < count; i++) TEST_ASSERT_EQUAL_INT(expected[i], met[i]);
 }
+
+#define ASSERT_MET_ONLY(piece) \
+    do { TEST_ASSERT_EQUAL_INT(1, met_count); TEST_ASSERT_EQUAL_INT((piece), met[0]); } while (0)
 
 static void test_rows_come_by_ascending_y_then_x(void)
 {
@@ -150,8 +150,7 @@ static void test_far_chunks_are_not_visited(void)
     insert(2, 0, 500, 4);
     insert(3, -500, -500, 4);
     walk_box(3, 3, 4, true);
-    TEST_ASSERT_EQUAL_INT(1, met_count);
-    TEST_ASSERT_EQUAL_INT(0, met[0]);
+    ASSERT_MET_ONLY(0);
 }
 
 static void test_entries_past_the_terrain_count_are_skipped(void)
@@ -210,6 +209,12 @@ static void test_a_line_meets_every_piece_it_touches(void)
     }
 }
 
+/* One of so many numbers, from the lowest up. */
+static int16_t random_from(uint32_t *state, int16_t lowest, uint16_t many)
+{
+    return (int16_t)((int32_t)(next_random(state) % many) + lowest);
+}
+
 /* From the same seed in each run: lines of any slope, each with one piece of radius 64 that reaches a point of it. Shows the number of
    the case that fails. */
 static void test_no_piece_that_reaches_a_line_is_missed(void)
@@ -217,13 +222,13 @@ static void test_no_piece_that_reaches_a_line_is_missed(void)
     uint32_t random = UINT32_C(5);
     chunks.pitch_log2 = 6;
     for (int16_t i = 0; i < 1500; i++) {
-        int16_t ax = (int16_t)((int32_t)(next_random(&random) % 2400) - 1200);
-        int16_t ay = (int16_t)((int32_t)(next_random(&random) % 2400) - 1200);
-        int16_t bx = (int16_t)((int32_t)(next_random(&random) % 2400) - 1200);
-        int16_t by = (int16_t)((int32_t)(next_random(&random) % 2400) - 1200);
-        int16_t share = (int16_t)(next_random(&random) % 17);
-        int16_t dx = (int16_t)((int32_t)(next_random(&random) % 121) - 60);
-        int16_t dy = (int16_t)((int32_t)(next_random(&random) % 121) - 60);
+        int16_t ax = random_from(&random, -1200, 2400);
+        int16_t ay = random_from(&random, -1200, 2400);
+        int16_t bx = random_from(&random, -1200, 2400);
+        int16_t by = random_from(&random, -1200, 2400);
+        int16_t share = random_from(&random, 0, 17);
+        int16_t dx = random_from(&random, -60, 121);
+        int16_t dy = random_from(&random, -60, 121);
         if (dx * dx + dy * dy > 3600) continue;
         tuff_chunks_clear(&chunks);
         insert(0, (int16_t)(ax + (int32_t)(bx - ax) * share / 16 + dx), (int16_t)(ay + (int32_t)(by - ay) * share / 16 + dy), 64);
@@ -242,8 +247,7 @@ static void test_a_line_does_not_visit_the_box_around_it(void)
     insert(1, 1500, 500, 8);
     insert(2, 500, 1500, 8);
     walk_line(whole(0, 0), whole(2000, 2000));
-    TEST_ASSERT_EQUAL_INT(1, met_count);
-    TEST_ASSERT_EQUAL_INT(0, met[0]);
+    ASSERT_MET_ONLY(0);
 }
 
 static void test_a_line_across_the_whole_range_meets_both_its_ends(void)
@@ -267,8 +271,7 @@ static void test_a_line_without_length_is_a_point(void)
     insert(0, 5, 5, 8);
     insert(1, 200, 5, 8);
     walk_line(whole(12, 5), whole(12, 5));
-    TEST_ASSERT_EQUAL_INT(1, met_count);
-    TEST_ASSERT_EQUAL_INT(0, met[0]);
+    ASSERT_MET_ONLY(0);
 }
 
 static void test_lists_in_a_circle_end(void)

@@ -2,30 +2,24 @@
    Copyright (c) 2026 the tuff authors
 
    Filling the index from the terrain array. DESIGN 7 ("World and index set-up": static storage given by the caller, one call). */
-#include "support.h"
+#include "shapes.h"
 
 #define PIECES 5
 
-static tuff_terrain terrain[PIECES];
-static uint16_t buckets[4];
-static tuff_chunk_entry entries[PIECES];
-static tuff_chunks chunks = TUFF_CHUNKS(buckets, entries, 5);
+DEFINE_TERRAIN(PIECES, 4, 5);
 static uint16_t nearby[PIECES];
 static tuff_world world;
 
 void setUp(void)
 {
+    chunks.capacity = PIECES;
+    empty_world(&world, terrain, PIECES, &chunks);
     for (uint8_t i = 0; i < PIECES; i++) {
         terrain[i].position = whole((int16_t)(100 * i), 7);
         terrain[i].bounding_radius = W(10);
     }
-    world.terrain = terrain;
-    world.terrain_count = PIECES;
-    world.chunks = &chunks;
     world.nearby = nearby;
     world.nearby_capacity = PIECES;
-    chunks.capacity = PIECES;
-    tuff_chunks_clear(&chunks);
 }
 
 void tearDown(void) {}
