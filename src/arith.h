@@ -38,7 +38,7 @@
 #define tuff_along           TUFF_LINK_NAME(along)
 
 /* Length of v, and its direction unless the length is 0. Fixed: the length to nearest, each component of the
-   direction within 0.75 * 2^-30, (+-1, 0) and (0, +-1) exact. */
+   direction within 0.8 * 2^-30, (+-1, 0) and (0, +-1) exact. */
 tuff_real tuff_normalize(tuff_vec2 v, tuff_unit2 *direction);
 
 /* If v . n < 0: v becomes (1 - friction) * v - (1 - friction + restitution) * (v . n) * n, within the speed limit.

@@ -49,7 +49,7 @@ bool tuff_terrain_overlap_circle(const tuff_terrain *piece, tuff_vec2 center, tu
 bool tuff_terrain_overlap_hull(const tuff_terrain *piece, tuff_vec2 position, tuff_real radius, const tuff_polygon *hull,
                                tuff_contact *contact);
 
-/* Outward unit normals of a convex polygon in either winding; each component within 0.75 * 2^-30 (fixed) or 2^-23
+/* Outward unit normals of a convex polygon in either winding; each component within 0.8 * 2^-30 (fixed) or 2^-23
    (float). count: 3 .. TUFF_MAX_VERTICES, otherwise nothing is written. An edge without length takes the next real
    edge's; with none: (1, 0). */
 void tuff_edge_normals(const tuff_vec2 *vertices, uint8_t count, tuff_unit2 *normals);

@@ -14,10 +14,11 @@
 extern "C" {
 #endif
 
-/* TUFF_ORDER_ITERATION: each piece on its own: chunk rows by ascending y, then x, within a chunk as inserted;
-   without an index by ascending number. The cheapest. TUFF_ORDER_DEEPEST: the deepest contact of all first (ties:
-   the lowest number), and all again after each push. Costs at least one more pass; does not snag on flush seams and
-   does not depend on the order of insertion. */
+/* TUFF_ORDER_ITERATION: each piece on its own: chunk rows by ascending y, then x, within a chunk as inserted (pieces
+   larger than a chunk last); without an index by ascending number. The cheapest.
+
+   TUFF_ORDER_DEEPEST: the deepest contact of all first (ties: the lowest number), and all again after each push.
+   Costs at least one more pass; does not snag on flush seams and does not depend on the order of insertion. */
 enum { TUFF_ORDER_ITERATION = 0, TUFF_ORDER_DEEPEST = 1 };
 
 /* Plain data, all of it the caller's. All zero: an empty world. */

@@ -21,7 +21,7 @@ void setUp(void)
 
 void tearDown(void) {}
 
-/* The bound of the header: 0.75 * 2^-30 a component, or 2^-23. */
+/* The bound of the header: 0.8 * 2^-30 a component, or 2^-23. */
 #define ASSERT_NORMAL(ex, ey, n) \
     do { ASSERT_WITHIN(UNIT_STEPS(1, 2), (ex), (n).x); ASSERT_WITHIN(UNIT_STEPS(1, 2), (ey), (n).y); } while (0)
 
