@@ -23,10 +23,10 @@ static unsigned tuff_even_shift(uint64_t q)
    With u = q / 2^64 in [1/4, 1):
      1. a cubic (minimax; coefficients in Q19.13) gives y0 within 0.0071, relatively; its rounding adds 0.0005;
      2. one Newton step y1 = y0 (3 - u y0^2) / 2 squares that: 3/2 * 0.0076^2 < 8.7e-5, plus 2^-15 for the 16 bits of u
-        that it reads (half of 2^-16 / (1/4)) and 2^-16 for its own rounding: below 1.4e-4;
-     3. the residue e = 1 - u y1^2, from all 64 bits of q, is then below 2.8e-4 and exact to 2^-41, and 1 / sqrt(u) =
-        y1 (1 - e)^(-1/2) = y1 (1 + e/2 + 3/8 e^2 + 5/16 e^3 + ...), of which the terms left out are below 7e-12;
-     4. that and the two roundings of the series are below 0.02 * 2^-31, the rounding to Q1.31 is 0.5 * 2^-31.
+        that it reads (half of 2^-16 / (1/4)) and 2^-16 for its roundings: below 1.6e-4;
+     3. the residue e = 1 - u y1^2, from all 64 bits of q, is then below 3.2e-4 and exact to 2^-41, and 1 / sqrt(u) =
+        y1 (1 - e)^(-1/2) = y1 (1 + e/2 + 3/8 e^2 + 5/16 e^3 + ...), of which the terms left out are below 1.1e-11;
+     4. that and the two roundings of the series are below 0.05 * 2^-31, the rounding to Q1.31 is 0.5 * 2^-31.
 
    A component of a direction is a length below 2^32 times this: 0.3 * 2^-30, and 0.5 * 2^-30 for its own rounding. */
 static uint32_t tuff_inverse_root(uint64_t q)
