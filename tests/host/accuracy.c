@@ -45,15 +45,10 @@ static exact last_digit(tuff_vec2 position)
 
 const tuff_contact accuracy_untouched = { TUFF_REAL_RAW(-77), { TUFF_UNIT_RAW(5), TUFF_UNIT_RAW(-5) } };
 
-static void raise_to(double *most, exact value)
+exact accuracy_float_beam_band(exact length)
 {
-    if ((double)value > *most) *most = (double)value;
-}
-
-static bool untouched(const tuff_contact *contact)
-{
-    return contact->overlap == accuracy_untouched.overlap && contact->normal.x == accuracy_untouched.normal.x &&
-           contact->normal.y == accuracy_untouched.normal.y;
+    exact least = (exact)EXACT_UNIT / 1000, share = length / 4194304;
+    return share > least ? share : least;
 }
 
 static const char *judge_contact(accuracy *sum, const accuracy_bounds *bounds, const oracle_answer *answer, const tuff_contact *contact)
@@ -77,9 +72,16 @@ const char *accuracy_judge(accuracy *sum, const accuracy_bounds *bounds, const o
         sum->wrong++;
         return found ? "overlap reported of shapes that are apart" : "overlap missed";
     }
-    if (!found) return untouched(contact) ? NULL : "contact touched though there is no overlap";
+    if (!found) return same_overlap(contact, &accuracy_untouched) ? NULL : "contact touched though there is no overlap";
     sum->overlaps++;
     return judge_contact(sum, bounds, answer, contact);
+}
+
+tuff_vec2 accuracy_pushed(tuff_vec2 position, const tuff_contact *contact)
+{
+    tuff_body body = { position, { 0, 0 }, NULL };
+    tuff_bounce(&body, contact);
+    return body.position;
 }
 
 const char *accuracy_judge_push(accuracy *sum, const accuracy_bounds *bounds, exact depth, tuff_vec2 position)
@@ -92,10 +94,9 @@ const char *accuracy_judge_push(accuracy *sum, const accuracy_bounds *bounds, ex
 void accuracy_report_fault(accuracy *sum, const random_run *run, uint32_t index, const char *fault, const oracle_answer *answer, bool found,
                            const tuff_contact *contact)
 {
-    if (!fault || ++sum->faults > 3) return;
-    print_error("%s: exact depth %.4f steps; found %d, overlap %.4f steps, normal (%.9f, %.9f)\n", fault, (double)answer->depth, found,
+    if (!random_count_fault(&sum->faults, run, index, fault)) return;
+    print_error("exact depth %.4f steps; found %d, overlap %.4f steps, normal (%.9f, %.9f)\n", (double)answer->depth, found,
                 (double)exact_real(contact->overlap), (double)exact_unit(contact->normal.x), (double)exact_unit(contact->normal.y));
-    random_print_case(run, index);
 }
 
 void accuracy_print(const accuracy *sum, const char *what)
@@ -103,4 +104,13 @@ void accuracy_print(const accuracy *sum, const char *what)
     printf("figures: %s: tuff %s against the oracle: %lu pairs, %lu overlaps, %lu wrong; largest errors: depth %.3g %s, "
            "normal %.2g rad, left over %.3g %s\n", what, EXACT_BUILD, sum->pairs, sum->overlaps, sum->wrong, sum->depth / ERROR_UNIT,
            ERROR_NAME, sum->normal, sum->left_over / ERROR_UNIT, ERROR_NAME);
+}
+
+void accuracy_run(const char *name, const char *what, uint64_t seed, uint32_t count, accuracy_case *one, double largest)
+{
+    random_run run = random_cases(name, seed, count);
+    accuracy sum = { 0 };
+    for (uint32_t i = run.first; i < run.end; i++) one(&sum, &run, i, largest);
+    accuracy_print(&sum, what);
+    assert_int_equal(sum.faults, 0);
 }

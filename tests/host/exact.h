@@ -37,6 +37,12 @@ static inline exact exact_unit(tuff_unit value)   { return (exact)value; }
 static inline tuff_real real_from_double(double steps) { return (tuff_real)(steps / 65536.0); }
 #endif
 
+/* The point nearest to (x, y), given in steps, that the build can hold. */
+static inline tuff_vec2 vec2_from_doubles(double x, double y)
+{
+    return (tuff_vec2){ real_from_double(x), real_from_double(y) };
+}
+
 static inline exact2 exact_vec2(tuff_vec2 v)      { return (exact2){ exact_real(v.x), exact_real(v.y) }; }
 static inline exact2 exact_unit2(tuff_unit2 v)    { return (exact2){ exact_unit(v.x), exact_unit(v.y) }; }
 static inline exact2 exact_sub(exact2 a, exact2 b) { return (exact2){ a.x - b.x, a.y - b.y }; }
@@ -44,6 +50,18 @@ static inline exact2 exact_add(exact2 a, exact2 b) { return (exact2){ a.x + b.x,
 static inline exact exact_dot(exact2 a, exact2 b)  { return a.x * b.x + a.y * b.y; }
 static inline exact exact_cross(exact2 a, exact2 b) { return a.x * b.y - a.y * b.x; }
 static inline exact exact_abs(exact a)            { return a < 0 ? -a : a; }
+
+/* In world units. */
+static inline double units_of(tuff_real value)
+{
+    return (double)exact_real(value) / EXACT_UNIT;
+}
+
+/* Keep the largest so far. */
+static inline void raise_to(double *most, exact value)
+{
+    if ((double)value > *most) *most = (double)value;
+}
 
 /* Two Newton steps take the 53 bits of sqrt() to all 113. */
 static inline exact exact_sqrt(exact square)

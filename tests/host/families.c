@@ -97,11 +97,7 @@ static bool whole_box(random_source *source, random_shape *shape, double largest
     int most = (int)(largest / 1.5);
     int32_t wide = random_between(source, 1, most > 1 ? most : 1), high = random_between(source, 1, most > 1 ? most : 1);
     tuff_vec2 corner = { tuff_from_int(wide), tuff_from_int(random_chance(source, 30) ? wide : high) };
-    shape->vertices[0] = (tuff_vec2){ -corner.x, -corner.y };
-    shape->vertices[1] = (tuff_vec2){ corner.x, -corner.y };
-    shape->vertices[2] = corner;
-    shape->vertices[3] = (tuff_vec2){ -corner.x, corner.y };
-    random_bake(shape, 4);
+    random_box_shape(shape, corner);
     return true;
 }
 

@@ -84,7 +84,7 @@ static inline double random_magnitude(random_source *source, double low, double 
 /* The point nearest to (x, y), given in units, that the build can hold. */
 static inline tuff_vec2 random_point_at(double x, double y)
 {
-    return (tuff_vec2){ real_from_double(x * EXACT_UNIT), real_from_double(y * EXACT_UNIT) };
+    return vec2_from_doubles(x * EXACT_UNIT, y * EXACT_UNIT);
 }
 
 /* Anywhere in the square of this many units about the origin. */
@@ -150,6 +150,16 @@ static inline void random_bake(random_shape *shape, int count)
     tuff_edge_normals(shape->vertices, (uint8_t)count, shape->normals);
     shape->polygon = (tuff_polygon){ shape->vertices, shape->normals, 0, (uint8_t)count };
     shape->bounding_radius = random_cover(shape->vertices, count);
+}
+
+/* A box about the origin, corner the one with the largest x and y. */
+static inline void random_box_shape(random_shape *shape, tuff_vec2 corner)
+{
+    shape->vertices[0] = (tuff_vec2){ -corner.x, -corner.y };
+    shape->vertices[1] = (tuff_vec2){ corner.x, -corner.y };
+    shape->vertices[2] = corner;
+    shape->vertices[3] = (tuff_vec2){ -corner.x, corner.y };
+    random_bake(shape, 4);
 }
 
 /* Turn the list of vertices to begin anywhere, and half of the time to run the other way round. */
@@ -239,6 +249,23 @@ static inline void random_print_case(const random_run *run, uint32_t index)
 {
     print_error("repeat: TUFF_TEST_NAME=%s TUFF_TEST_SEED=%llu TUFF_TEST_CASE=%lu %s\n", run->name, (unsigned long long)run->seed,
                 (unsigned long)index, random_program);
+}
+
+/* Ends the test; the arguments after index are those of fail_msg. A macro, so that the failure is reported at the caller's line. */
+#define random_fail(run, index, ...)       \
+    do {                                   \
+        random_print_case((run), (index)); \
+        fail_msg(__VA_ARGS__);             \
+    } while (0)
+
+/* For tests that go on after a fault (NULL: there is none) and end with assert_int_equal(faults, 0): counts it, and prints the first three.
+   True: it was printed, and details may follow. */
+static inline bool random_count_fault(unsigned long *faults, const random_run *run, uint32_t index, const char *fault)
+{
+    if (!fault || ++*faults > 3) return false;
+    print_error("%s\n", fault);
+    random_print_case(run, index);
+    return true;
 }
 
 #endif

@@ -82,10 +82,7 @@ static void expect_fault(tuff_fault wanted, tuff_fault got)
 
 static void make_box(random_shape *box)
 {
-    const tuff_vec2 corners[4] = { { -TUFF_WHOLE(4), -TUFF_WHOLE(3) }, { TUFF_WHOLE(4), -TUFF_WHOLE(3) },
-                                   { TUFF_WHOLE(4), TUFF_WHOLE(3) }, { -TUFF_WHOLE(4), TUFF_WHOLE(3) } };
-    memcpy(box->vertices, corners, sizeof corners);
-    random_bake(box, 4);
+    random_box_shape(box, (tuff_vec2){ TUFF_WHOLE(4), TUFF_WHOLE(3) });
 }
 
 /* A polygon that was edited after it was baked. */
@@ -681,9 +678,7 @@ static void test_calls_survive_garbage(void **state)
         edit_index(&source, &g);
         if (!fault) fault = world_fault(&source, &g);
         free_blocks(&g);
-        if (!fault) continue;
-        random_print_case(&run, i);
-        fail_msg("%s", fault);
+        if (fault) random_fail(&run, i, "%s", fault);
     }
     alarm(0);
     print_message("figures: " EXACT_BUILD " bad input: %lu worlds of garbage survived\n", (unsigned long)(run.end - run.first));
@@ -857,8 +852,7 @@ static void test_legal_numbers_raise_no_exception(void **state)
         feclearexcept(FE_ALL_EXCEPT);
         if (sigsetjmp(trapped, 1)) {
             fedisableexcept(exceptions);
-            random_print_case(&run, i);
-            fail_msg("a floating-point exception");
+            random_fail(&run, i, "a floating-point exception");
         }
         feenableexcept(exceptions);
         run_small_scene(&s);

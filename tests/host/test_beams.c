@@ -5,6 +5,7 @@
    the header says. Float build: the same outside of the band about touching that it is held to. */
 #include <string.h>
 
+#include "accuracy.h"
 #include "worlds.h"
 
 __extension__ typedef __int128 wide;
@@ -20,8 +21,7 @@ static segment make_segment(tuff_vec2 a, tuff_vec2 b, tuff_vec2 origin)
     segment s = { exact_sub(exact_vec2(a), exact_vec2(origin)), exact_sub(exact_vec2(b), exact_vec2(origin)), { 0, 0 }, 0, 0 };
     s.d = exact_sub(s.b, s.a);
     s.length = exact_length(s.d);
-    exact part = s.length / 4194304, least = (exact)EXACT_UNIT / 1000;
-    s.band = TUFF_SCALAR == TUFF_Q16_16 ? 0 : part > least ? part : least;
+    s.band = TUFF_SCALAR == TUFF_Q16_16 ? 0 : accuracy_float_beam_band(s.length);
     return s;
 }
 
@@ -282,7 +282,7 @@ static bool normal_right(const tuff_beam_hit *hit, const segment *s, const tuff_
 
 static bool is_twin(const tuff_terrain *a, const tuff_terrain *b)
 {
-    return a->parts == b->parts && a->radius == b->radius && a->position.x == b->position.x && a->position.y == b->position.y;
+    return a->parts == b->parts && a->radius == b->radius && same_point(a->position, b->position);
 }
 
 /* Of equal pieces, and of those that the beam starts in, the lowest is hit. */
@@ -390,7 +390,7 @@ static const char *index_fault(world_fixture *w, tuff_vec2 a, tuff_vec2 b)
     bool scanned = tuff_segment_terrain_first_hit(&w->world, a, b, &linear);
     w->world.chunks = &w->chunks;
     bool same = found == scanned && indexed.fraction == linear.fraction && indexed.piece == linear.piece &&
-                indexed.normal.x == linear.normal.x && indexed.normal.y == linear.normal.y;
+                same_normal(indexed.normal, linear.normal);
     return same ? NULL : "the index makes a difference";
 }
 
@@ -398,31 +398,27 @@ static const char *index_fault(world_fixture *w, tuff_vec2 a, tuff_vec2 b)
 
 typedef struct beam { tuff_vec2 a, b; } beam;
 
-static double units(tuff_real a)
-{
-    return (double)exact_real(a) / EXACT_UNIT;
-}
-
 static tuff_vec2 some_vertex(random_source *source, const world_fixture *w)
 {
     const tuff_terrain *piece = &w->pieces[random_below(source, WORLD_MOST)];
     if (piece->parts == NULL) return piece->position;
     const tuff_polygon *part = &piece->parts[random_below(source, piece->part_count)];
     tuff_vec2 v = part->vertices[random_below(source, part->count)];
-    return random_point_at(world_clamped(units(piece->position.x) + units(v.x)), world_clamped(units(piece->position.y) + units(v.y)));
+    double x = units_of(piece->position.x) + units_of(v.x), y = units_of(piece->position.y) + units_of(v.y);
+    return random_point_at(world_clamped(x), world_clamped(y));
 }
 
 /* A multiple of the pitch. */
 static tuff_real border_near(const world_fixture *w, tuff_real a)
 {
     double pitch = (double)(1u << w->chunks.pitch_log2);
-    return random_point_at(world_clamped(floor(units(a) / pitch + 0.5) * pitch), 0).x;
+    return random_point_at(world_clamped(floor(units_of(a) / pitch + 0.5) * pitch), 0).x;
 }
 
 /* From p through q and on. */
 static tuff_vec2 beyond(tuff_vec2 p, tuff_vec2 q, double more)
 {
-    double x = units(q.x) + (units(q.x) - units(p.x)) * more, y = units(q.y) + (units(q.y) - units(p.y)) * more;
+    double x = units_of(q.x) + (units_of(q.x) - units_of(p.x)) * more, y = units_of(q.y) + (units_of(q.y) - units_of(p.y)) * more;
     return random_point_at(world_clamped(x), world_clamped(y));
 }
 
@@ -468,7 +464,7 @@ static void test_beams_stop_at_what_brute_force_finds(void **state)
     for (uint32_t i = run.first; i < run.end; i++) {
         random_source source = random_stream(run.seed, i);
         world_make(&source, &w);
-        for (int k = 0; k < 3; k++) w.pieces[random_below(&source, WORLD_MOST)] = w.pieces[random_below(&source, WORLD_MOST)];
+        world_add_twins(&source, &w, 3);
         if (random_chance(&source, 60)) {
             for (int k = 0; k < WORLD_MOST; k++) assert_true(world_tell(&source, &w, k));
         }
@@ -480,9 +476,8 @@ static void test_beams_stop_at_what_brute_force_finds(void **state)
             beams++;
             blocked += hit;
             if (!fault) continue;
-            random_print_case(&run, i);
-            fail_msg("step %d: from (%.17g, %.17g) to (%.17g, %.17g): %s", step, units(b.a.x), units(b.a.y), units(b.b.x), units(b.b.y),
-                     fault);
+            random_fail(&run, i, "step %d: from (%.17g, %.17g) to (%.17g, %.17g): %s", step,
+                        units_of(b.a.x), units_of(b.a.y), units_of(b.b.x), units_of(b.b.y), fault);
         }
     }
     print_message("figures: " EXACT_BUILD " beams: %lu beams, %lu of them blocked\n", (unsigned long)beams, (unsigned long)blocked);
@@ -510,8 +505,8 @@ static void test_beams_meet_what_they_only_graze(void **state)
         double longest = fmin(60000.0, (double)(1u << chunks.pitch_log2) * 1000.0), angle = random_within(&source, 0.0, 6.2831853);
         double ahead = random_magnitude(&source, 1.0, longest), behind = random_magnitude(&source, 1.0, longest);
         if (random_chance(&source, 30)) angle = 0.78539816 * random_below(&source, 8);
-        double aside = units(radius) * (random_chance(&source, 50) ? 0.9999 : random_within(&source, -1.01, 1.01));
-        double x = units(ball.position.x) - sin(angle) * aside, y = units(ball.position.y) + cos(angle) * aside;
+        double aside = units_of(radius) * (random_chance(&source, 50) ? 0.9999 : random_within(&source, -1.01, 1.01));
+        double x = units_of(ball.position.x) - sin(angle) * aside, y = units_of(ball.position.y) + cos(angle) * aside;
         beam b = { random_point_at(world_clamped(x + cos(angle) * ahead), world_clamped(y + sin(angle) * ahead)),
                    random_point_at(world_clamped(x - cos(angle) * behind), world_clamped(y - sin(angle) * behind)) };
         assert_int_equal(tuff_world_index(&world), 0);
@@ -519,9 +514,7 @@ static void test_beams_meet_what_they_only_graze(void **state)
         world.chunks = NULL;
         bool scanned = tuff_segment_terrain_intersect(&world, b.a, b.b);
         grazed += scanned;
-        if (indexed == scanned) continue;
-        random_print_case(&run, i);
-        fail_msg("the walk along the line missed the ball");
+        if (indexed != scanned) random_fail(&run, i, "the walk along the line missed the ball");
     }
     assert_true(grazed > 0);
 }
@@ -543,20 +536,20 @@ static void test_no_beam_slips_between_parts(void **state)
         uint32_t at = random_below(&source, part->count);
         tuff_vec2 v = part->vertices[at], next = part->vertices[(at + 1) % part->count];
         double t = random_chance(&source, 50) ? 0.0 : random_fraction(&source), angle = random_within(&source, 0.0, 6.2831853);
-        double x = units(v.x) + (units(next.x) - units(v.x)) * t, y = units(v.y) + (units(next.y) - units(v.y)) * t;
+        double x = units_of(v.x) + (units_of(next.x) - units_of(v.x)) * t, y = units_of(v.y) + (units_of(next.y) - units_of(v.y)) * t;
         double dx = cos(angle) * size * 3, dy = sin(angle) * size * 3;
         if (random_chance(&source, 30)) {
-            dx = (units(next.x) - units(v.x)) * 10;
-            dy = (units(next.y) - units(v.y)) * 10;
+            dx = (units_of(next.x) - units_of(v.x)) * 10;
+            dy = (units_of(next.y) - units_of(v.y)) * 10;
         }
-        beam b = { random_point_at(units(piece.position.x) + x - dx, units(piece.position.y) + y - dy),
-                   random_point_at(units(piece.position.x) + x + dx, units(piece.position.y) + y + dy) };
+        beam b = { random_point_at(units_of(piece.position.x) + x - dx, units_of(piece.position.y) + y - dy),
+                   random_point_at(units_of(piece.position.x) + x + dx, units_of(piece.position.y) + y + dy) };
         segment s = make_segment(b.a, b.b, piece.position);
         tuff_world world = { &piece, 1, NULL, NULL, 0, TUFF_ORDER_ITERATION };
         bool must = TUFF_SCALAR == TUFF_Q16_16 ? meets_piece(&s, &piece) : runs_deep(&s, &piece, s.band, 1);
         if (!must || tuff_segment_terrain_intersect(&world, b.a, b.b)) continue;
-        random_print_case(&run, i);
-        fail_msg("a beam from (%.17g, %.17g) to (%.17g, %.17g) slipped through", units(b.a.x), units(b.a.y), units(b.b.x), units(b.b.y));
+        random_fail(&run, i, "a beam from (%.17g, %.17g) to (%.17g, %.17g) slipped through",
+                    units_of(b.a.x), units_of(b.a.y), units_of(b.b.x), units_of(b.b.y));
     }
 }
 
@@ -590,9 +583,7 @@ static void test_no_beam_slips_between_pieces_that_share_an_edge(void **state)
         tuff_beam_hit hit;
         bool point = tuff_segment_terrain_intersect(&world, end, end), from = tuff_segment_terrain_intersect(&world, end, away);
         bool to = tuff_segment_terrain_intersect(&world, away, end), found = tuff_segment_terrain_first_hit(&world, away, end, &hit);
-        if (point && from && to && found) continue;
-        random_print_case(&run, i);
-        fail_msg("a beam slipped between pieces that share an edge");
+        if (!(point && from && to && found)) random_fail(&run, i, "a beam slipped between pieces that share an edge");
     }
 }
 #endif

@@ -53,11 +53,6 @@ static void make_scene(random_source *source, scene *s)
     s->body = (side_vec){ s->at.x + off.x, s->at.y + off.y };
 }
 
-static void raise_to(double *most, double value)
-{
-    if (value > *most) *most = value;
-}
-
 static double apart(double ax, double ay, double bx, double by)
 {
     return hypot(ax - bx, ay - by);
@@ -73,11 +68,11 @@ static const char *compare_contacts(tally *sum, side_contact f, side_contact q)
         return f.overlap + q.overlap > NEAR ? "one build finds an overlap that the other does not" : NULL;
     }
     if (!f.found) return NULL;
-    raise_to(&sum->depth, fabs(f.overlap - q.overlap));
+    raise_to(&sum->depth, (exact)fabs(f.overlap - q.overlap));
     if (fabs(f.overlap - q.overlap) > NEAR) return "depths differ";
     double normal = apart(f.x, f.y, q.x, q.y);
     if (normal > 1e-3) sum->other_axis++;
-    else raise_to(&sum->normal, normal);
+    else raise_to(&sum->normal, (exact)normal);
     return normal > 3e-6 && normal <= 1e-3 ? "normals differ" : NULL;
 }
 
@@ -93,7 +88,7 @@ static const char *compare_beams(tally *sum, const scene *s, side_vec a, side_ve
         sum->other_axis++;
         return NULL;
     }
-    raise_to(&sum->place, fabs(f.fraction - q.fraction) * length);
+    raise_to(&sum->place, (exact)(fabs(f.fraction - q.fraction) * length));
     return fabs(f.fraction - q.fraction) * length > BEAM_NEAR ? "points of the hit differ" : NULL;
 }
 
@@ -105,7 +100,7 @@ static const char *compare_states(tally *sum, side_state f, side_state q)
         sum->other_axis++;
         return NULL;
     }
-    raise_to(&sum->place, apart(f.x, f.y, q.x, q.y));
+    raise_to(&sum->place, (exact)apart(f.x, f.y, q.x, q.y));
     if (apart(f.x, f.y, q.x, q.y) > 0.002) return "places after the push differ";
     return apart(f.vx, f.vy, q.vx, q.vy) > 1e-4 ? "velocities after the bounce differ" : NULL;
 }
@@ -144,10 +139,7 @@ static void compare(const char *name, const char *what, uint32_t count, const ch
         random_source source = random_stream(run.seed, i);
         scene s;
         make_scene(&source, &s);
-        const char *fault = ask(&sum, &source, &s);
-        if (!fault || ++sum.faults > 3) continue;
-        print_error("%s\n", fault);
-        random_print_case(&run, i);
+        random_count_fault(&sum.faults, &run, i, ask(&sum, &source, &s));
     }
     printf("figures: both builds, %s: %lu asked, %lu found, %lu undecided, %lu on another axis; largest differences: depth %.3g "
            "units, normal %.2g rad, place %.3g units\n", what, sum.asked, sum.found, sum.undecided, sum.other_axis, sum.depth, sum.normal,

@@ -45,11 +45,8 @@ static void add_piece(belt *b, int i, const twin *t, double x, double y)
 static void make_wall(twin *t, double half_width, double half_height)
 {
     box2d_vec vertices[4];
-    for (int i = 0; i < 4; i++) {
-        t->shape.vertices[i] = random_point_at(i == 1 || i == 2 ? half_width : -half_width, i >= 2 ? half_height : -half_height);
-        vertices[i] = twin_vec(t->shape.vertices[i]);
-    }
-    random_bake(&t->shape, 4);
+    random_box_shape(&t->shape, random_point_at(half_width, half_height));
+    for (int i = 0; i < 4; i++) vertices[i] = twin_vec(t->shape.vertices[i]);
     t->box = box2d_polygon_new(vertices, 4);
 }
 
@@ -186,7 +183,7 @@ static void print_belt(const ball *balls, const char *what)
         together += balls[i].parted == 0;
         bounces += balls[i].bounces;
         agreed += balls[i].agreed;
-        if (balls[i].turned > turned) turned = balls[i].turned;
+        raise_to(&turned, (exact)balls[i].turned);
     }
     printf("figures: belt, %s, tuff %s: %d balls, %d steps, %d bounces; paths within 0.1 unit of Box2D's to step %d, %d balls to the end; "
            "bounces agreed: %d; velocities after first bounces differ by %.2g of the speed at most\n", what, EXACT_BUILD, BALLS, STEPS,
@@ -208,9 +205,7 @@ static void run_belt(const char *name, const char *what, tuff_material material)
     print_belt(balls, what);
     const char *fault = fault_of(&b, balls);
     free_belt(&b);
-    if (fault == NULL) return;
-    random_print_case(&run, run.first);
-    fail_msg("%s", fault);
+    if (fault) random_fail(&run, run.first, "%s", fault);
 }
 
 static void belt_without_loss_as_in_box2d(void **state)

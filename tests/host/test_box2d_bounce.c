@@ -109,9 +109,9 @@ static const char *judge(tally *sum, const impact *it, exact2 normal, tuff_vec2 
     double apart = larger_part(exact_sub(tuff, box));
     sum->bounces += outwards_of(it, normal) < 0;
     sum->outwards += outwards_of(it, normal) > 0;
-    if (our_error > sum->tuff) sum->tuff = our_error;
-    if (box_error > sum->box) sum->box = box_error;
-    if (apart > sum->apart) sum->apart = apart;
+    raise_to(&sum->tuff, (exact)our_error);
+    raise_to(&sum->box, (exact)box_error);
+    raise_to(&sum->apart, (exact)apart);
     if (our_error > error_allowed(it, normal)) return "velocity after the bounce";
     return apart > 2 + (double)exact_length(tuff) * 1e-5 ? "velocity differs from Box2D's" : NULL;
 }
@@ -132,9 +132,7 @@ static void bounce_case(tally *sum, const random_run *run, uint32_t index)
         fault = judge(sum, &it, normal, tuff_bounced(&it, &contact));
     }
     twin_free(&it.rock);
-    if (!fault || ++sum->faults > 3) return;
-    print_error("%s\n", fault);
-    random_print_case(run, index);
+    random_count_fault(&sum->faults, run, index, fault);
 }
 
 static void speed_after_a_bounce_as_in_box2d(void **state)

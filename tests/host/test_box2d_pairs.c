@@ -78,17 +78,16 @@ static void judge_box_contact(versus *sum, const oracle_answer *answer, const pa
     exact overlap = (exact)contact->overlap * EXACT_UNIT;
     double depth = fabs((double)(overlap - answer->depth)), error = (double)oracle_normal_error(answer, (exact)AGREED, normal);
     double left = (double)depth_at(p, exact_add(relative_of(p, p->position), (exact2){ normal.x * overlap, normal.y * overlap }));
-    if (depth > sum->box_depth) sum->box_depth = depth;
-    if (left > sum->box_left) sum->box_left = left;
+    raise_to(&sum->box_depth, (exact)depth);
+    raise_to(&sum->box_left, (exact)left);
     if (error > 0.001) sum->box_axis++;
-    else if (error > sum->box_normal) sum->box_normal = error;
+    else raise_to(&sum->box_normal, (exact)error);
 }
 
 static const char *judge_push(accuracy *sum, const accuracy_bounds *bounds, const pair *p, const tuff_contact *contact)
 {
-    tuff_body body = { p->position, { 0, 0 }, NULL };
-    tuff_bounce(&body, contact);
-    return accuracy_judge_push(sum, bounds, depth_at(p, relative_of(p, body.position)), body.position);
+    tuff_vec2 pushed = accuracy_pushed(p->position, contact);
+    return accuracy_judge_push(sum, bounds, depth_at(p, relative_of(p, pushed)), pushed);
 }
 
 /* Of two that both found the overlap: who is nearer to the truth? NULL: all is well. */
@@ -121,8 +120,7 @@ static const char *judge_box(versus *sum, const oracle_answer *answer, exact mar
 
 static void judge_pair(versus *sum, const random_run *run, uint32_t index, const pair *p)
 {
-    double size = (double)exact_real(p->piece->shape.bounding_radius) / EXACT_UNIT;
-    accuracy_bounds bounds = accuracy_bounds_of(size);
+    accuracy_bounds bounds = accuracy_bounds_of(units_of(p->piece->shape.bounding_radius));
     tuff_contact contact = accuracy_untouched;
     oracle_answer answer;
     bool found = tuff_says(p, &contact);

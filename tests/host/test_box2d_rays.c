@@ -3,6 +3,7 @@
 
    Beams against one piece, next to Box2D's ray casts on the same segments, near the origin and far from it. Both are judged by the oracle:
    hit or not, the point of the hit, the normal. */
+#include "accuracy.h"
 #include "twin.h"
 
 #define PLACES 8
@@ -65,9 +66,7 @@ static truth oracle_says(const target *t, tuff_vec2 from, tuff_vec2 to)
 
 static exact point_tolerance(exact length)
 {
-    exact least = (exact)EXACT_UNIT / 1000, share = length / 4194304;
-    if (EXACT_WHOLE) return 2 + length / 268435456;
-    return share > least ? share : least;
+    return EXACT_WHOLE ? 2 + length / 268435456 : accuracy_float_beam_band(length);
 }
 
 static exact2 point_at(const truth *is, exact fraction)
@@ -106,11 +105,6 @@ static exact normal_error(const target *t, const truth *is, const tuff_beam_hit 
 static exact normal_tolerance(const target *t, exact point_tolerance_here)
 {
     return (exact)1e-6 + (t->piece ? 0 : point_tolerance_here / exact_real(t->radius));
-}
-
-static void raise_to(double *most, exact value)
-{
-    if ((double)value > *most) *most = (double)value;
 }
 
 static const char *judge_inside(const truth *is, const tuff_beam_hit *hit)
@@ -168,12 +162,11 @@ static const char *judge_box(tally *sum, const target *t, const truth *is, bool 
 static void report(tally *sum, const random_run *run, uint32_t index, const char *fault, const truth *is, bool found,
                    const tuff_beam_hit *hit)
 {
-    if (!fault || ++sum->faults > 3) return;
-    print_error("%s: from (%.3f, %.3f) to (%.3f, %.3f) steps from the piece; exact: hit %d at %.12f; found %d at %.12f, "
-                "normal (%.9f, %.9f)\n", fault, (double)is->a.x, (double)is->a.y, (double)is->b.x, (double)is->b.y, is->hit,
+    if (!random_count_fault(&sum->faults, run, index, fault)) return;
+    print_error("from (%.3f, %.3f) to (%.3f, %.3f) steps from the piece; exact: hit %d at %.12f; found %d at %.12f, "
+                "normal (%.9f, %.9f)\n", (double)is->a.x, (double)is->a.y, (double)is->b.x, (double)is->b.y, is->hit,
                 (double)is->fraction, found, (double)exact_unit(hit->fraction), (double)exact_unit(hit->normal.x),
                 (double)exact_unit(hit->normal.y));
-    random_print_case(run, index);
 }
 
 static void judge_ray(tally *sum, const random_run *run, uint32_t index, const target *t, tuff_vec2 a, tuff_vec2 b)

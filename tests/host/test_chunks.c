@@ -39,73 +39,46 @@ static int list_in_order(const world_fixture *w, int *list)
 
 /* ---- the call and its retelling ---- */
 
-typedef struct mover {
-    random_shape shape;
-    const tuff_polygon *hull;
-    tuff_real    radius;
-    tuff_body    body;
-} mover;
-
-static void make_mover(random_source *source, const world_fixture *w, mover *m)
+static void make_mover(random_source *source, const world_fixture *w, world_mover *m)
 {
-    double size = w->size * random_magnitude(source, 0.02, 2.0);
-    m->hull = NULL;
-    m->radius = random_point_at(size, 0).x;
-    if (random_chance(source, 40)) {
-        random_rock_shape(source, &m->shape, 8, size);
-        m->hull = &m->shape.polygon;
-        m->radius = m->shape.bounding_radius;
-    }
+    world_make_mover(source, w, m, 40);
     m->body = (tuff_body){ world_point(source, w, 1.0), random_point(source, 20.0), NULL };
 }
 
-static bool overlap(const world_fixture *w, int piece, const mover *m, const tuff_body *body, tuff_contact *contact)
+static bool overlap(const world_fixture *w, int piece, const world_mover *m, const tuff_body *body, tuff_contact *contact)
 {
     return tuff_terrain_overlap_hull(&w->pieces[piece], body->position, m->radius, m->hull, contact);
 }
 
 /* A piece that touched nothing at the start, or that the index has elsewhere, may stay out of a call that came near it only by a push. */
-static bool must_be_visited(const world_fixture *w, int piece, const mover *m)
+static bool must_be_visited(const world_fixture *w, int piece, const world_mover *m)
 {
     return !w->index_used || (world_told(w, piece) && world_gap(w, piece, m->body.position, m->radius) < -WORLD_GAP_ROUNDING);
 }
 
-static bool same_touch(const tuff_touch *touch, int piece, const tuff_contact *contact)
-{
-    return touch->piece == piece && touch->contact.overlap == contact->overlap && touch->contact.normal.x == contact->normal.x &&
-           touch->contact.normal.y == contact->normal.y;
-}
-
-static bool same_body(const tuff_body *a, const tuff_body *b)
-{
-    return a->position.x == b->position.x && a->position.y == b->position.y && a->velocity.x == b->velocity.x &&
-           a->velocity.y == b->velocity.y && a->material == b->material;
-}
-
 /* Go through the report, push by push. A piece of one part, or a circle, is pushed once; others until they let go, or until a push
    moves the body nowhere, at the edge of the range or by less than its rounding. */
-static bool retell(const world_fixture *w, const mover *m, const tuff_touches *told, const tuff_body *end)
+static bool retell(const world_fixture *w, const world_mover *m, const tuff_touches *told, const tuff_body *end)
 {
     int order[WORLD_MOST], next = 0, count = list_in_order(w, order);
     tuff_body body = m->body;
-    tuff_contact contact;
     for (int k = 0; k < count; k++) {
-        const tuff_terrain *piece = &w->pieces[order[k]];
-        while (next < TUFF_MAX_PUSHES && overlap(w, order[k], m, &body, &contact)) {
-            if (next >= told->count || !same_touch(&told->list[next], order[k], &contact)) {
+        tuff_touch touch = { (uint16_t)order[k], { 0, { 0, 0 } } };
+        while (next < TUFF_MAX_PUSHES && overlap(w, order[k], m, &body, &touch.contact)) {
+            if (next >= told->count || !same_touch(&told->list[next], &touch)) {
                 if (must_be_visited(w, order[k], m)) return false;
                 break;
             }
             tuff_vec2 before = body.position;
-            tuff_bounce(&body, &contact);
+            tuff_bounce(&body, &touch.contact);
             next++;
-            if (piece->part_count < 2 || (body.position.x == before.x && body.position.y == before.y)) break;
+            if (w->pieces[order[k]].part_count < 2 || same_point(body.position, before)) break;
         }
     }
     return next == told->count && same_body(&body, end);
 }
 
-static bool collide_right(world_fixture *w, const mover *m, uint32_t *pushes)
+static bool collide_right(world_fixture *w, const world_mover *m, uint32_t *pushes)
 {
     tuff_touch list[TUFF_MAX_PUSHES];
     tuff_touches touches = { list, TUFF_MAX_PUSHES, 0 };
@@ -117,14 +90,10 @@ static bool collide_right(world_fixture *w, const mover *m, uint32_t *pushes)
     return retell(w, m, &touches, &body);
 }
 
-static bool linear_right(world_fixture *w, const mover *m, uint32_t *pushes)
+static bool linear_right(world_fixture *w, const world_mover *m, uint32_t *pushes)
 {
-    bool used = w->index_used;
-    w->world.chunks = NULL;
-    w->index_used = false;
-    bool right = collide_right(w, m, pushes);
-    w->world.chunks = &w->chunks;
-    w->index_used = used;
+    bool used = world_index_off(w), right = collide_right(w, m, pushes);
+    world_index_on(w, used);
     return right;
 }
 
@@ -150,29 +119,21 @@ static bool is_untouched(const world_fixture *w, const untouched *u)
            memcmp(u->entries, w->entries, sizeof u->entries) == 0 && memcmp(&u->chunks, &w->chunks, sizeof u->chunks) == 0;
 }
 
+static const char *judge_pushes(random_source *source, world_fixture *w, uint32_t *pushes)
+{
+    static untouched before;
+    static world_mover m;
+    make_mover(source, w, &m);
+    remember(w, &before);
+    if (!collide_right(w, &m, pushes) || !linear_right(w, &m, pushes)) return "the pushes are not those of the promised order";
+    return is_untouched(w, &before) ? NULL : "the calls changed the index or the terrain";
+}
+
 static void test_pushes_come_in_the_promised_order(void **state)
 {
-    static world_fixture w;
-    static untouched before;
-    static mover m;
     random_run run = random_cases(__func__, 41, 2500);
-    uint32_t pushes = 0, calls = 0;
+    uint32_t pushes = world_run(&run, 60, judge_pushes), calls = (run.end - run.first) * 60;
     (void)state;
-    memset(&w, 0, sizeof w);
-    for (uint32_t i = run.first; i < run.end; i++) {
-        random_source source = random_stream(run.seed, i);
-        world_make(&source, &w);
-        for (int step = 0; step < 60; step++) {
-            bool edited = world_edit(&source, &w);
-            make_mover(&source, &w, &m);
-            remember(&w, &before);
-            calls++;
-            bool right = collide_right(&w, &m, &pushes) && linear_right(&w, &m, &pushes) && is_untouched(&w, &before);
-            if (edited && right) continue;
-            random_print_case(&run, i);
-            fail_msg("step %d: %s", step, edited ? "the pushes are not those of the promised order" : "the index answered an edit wrongly");
-        }
-    }
     print_message("figures: " EXACT_BUILD " chunks: %lu collide calls, %lu pushes\n", (unsigned long)calls, (unsigned long)pushes);
     assert_true(pushes > 0);
 }
@@ -199,22 +160,22 @@ static bool index_fault_right(const world_fixture *w, tuff_fault fault)
     return fault == TUFF_OK && !stale && !missing && !elsewhere;
 }
 
+static const char *judge_check(random_source *source, world_fixture *w, uint32_t *counted)
+{
+    uint16_t piece;
+    tuff_fault fault = tuff_check_world(&w->world, &piece);
+    (void)source;
+    (void)counted;
+    if (index_fault_right(w, fault)) return NULL;
+    print_error("the check says: %s\n", tuff_fault_text(fault));
+    return "the check is wrong about the index";
+}
+
 static void test_the_checks_name_what_is_wrong_with_the_index(void **state)
 {
-    static world_fixture w;
     random_run run = random_cases(__func__, 42, 1000);
     (void)state;
-    for (uint32_t i = run.first; i < run.end; i++) {
-        random_source source = random_stream(run.seed, i);
-        world_make(&source, &w);
-        for (int step = 0; step < 100; step++) {
-            uint16_t piece;
-            bool edited = world_edit(&source, &w);
-            if (edited && index_fault_right(&w, tuff_check_world(&w.world, &piece))) continue;
-            random_print_case(&run, i);
-            fail_msg("step %d: the check says: %s", step, tuff_fault_text(tuff_check_world(&w.world, &piece)));
-        }
-    }
+    world_run(&run, 100, judge_check);
 }
 
 /* ---- single facts ---- */

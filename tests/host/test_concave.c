@@ -188,7 +188,7 @@ static double shortest_way_out(const forbidden *f, point from)
 
 static point to_point(tuff_vec2 v)
 {
-    return (point){ (double)exact_real(v.x) / EXACT_UNIT, (double)exact_real(v.y) / EXACT_UNIT };
+    return (point){ units_of(v.x), units_of(v.y) };
 }
 
 static int compare_points(const void *left, const void *right)
@@ -267,7 +267,7 @@ static tuff_vec2 outline_point(random_source *source, const rock *made, tuff_uni
 /* How far the entity reaches backwards along this direction. */
 static double reach_against(const trial *t, point direction)
 {
-    double most = t->hull ? -HUGE_VAL : (double)exact_real(t->radius) / EXACT_UNIT;
+    double most = t->hull ? -HUGE_VAL : units_of(t->radius);
     for (int i = 0; t->hull && i < t->hull->count; i++) {
         double reach = -dot(to_point(t->hull->vertices[i]), direction);
         if (reach > most) most = reach;
@@ -324,7 +324,7 @@ static bool run_trial(trial *t, uint8_t order, figures *sum)
     static forbidden f;
     tuff_world world = { &t->piece, 1, NULL, NULL, 0, order };
     point from = relative(t);
-    forbid(&f, &t->made, (double)exact_real(t->radius) / EXACT_UNIT, t->hull);
+    forbid(&f, &t->made, units_of(t->radius), t->hull);
     double least = shortest_way_out(&f, from);
     uint16_t pushes = tuff_terrain_collide(&world, &t->body, t->radius, t->hull);
     double way = distance(relative(t), from);
@@ -351,8 +351,8 @@ static figures run_trials(const char *name, bool with_hull, bool deep, uint64_t 
         prepare(&source, &t, with_hull, deep);
         bool good = tuff_check_terrain(&t.piece) == TUFF_OK && run_trial(&t, (uint8_t)random_below(&source, 2), &sum);
         if (good && (deep || sum.far == far_before)) continue;
-        random_print_case(&run, i);
-        fail_msg("%s", good ? "a grazing entity moved more than three times the shortest way out" : "left inside, or the rock is at fault");
+        random_fail(&run, i, "%s", good ? "a grazing entity moved more than three times the shortest way out"
+                                        : "left inside, or the rock is at fault");
     }
     print_message("figures: " EXACT_BUILD " %s: %lu cases, %lu overlapping, %lu moved over 3 times the shortest way out (worst %.2f), "
                   "%lu ended inside, %lu stopped at the limit of pushes, %lu of these still inside after ten calls\n", name,

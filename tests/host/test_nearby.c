@@ -80,35 +80,24 @@ static bool short_buffer_right(random_source *source, world_fixture *w, query q)
 /* Without its index the world is searched from end to end: every piece of the array is found. */
 static bool linear_right(world_fixture *w, query q)
 {
-    world_fixture *linear = w;
-    bool used = w->index_used;
     uint32_t found = 0;
-    linear->world.chunks = NULL;
-    linear->index_used = false;
-    bool right = answer_right(linear, q, &found);
-    linear->world.chunks = &w->chunks;
-    linear->index_used = used;
+    bool used = world_index_off(w), right = answer_right(w, q, &found);
+    world_index_on(w, used);
     return right;
+}
+
+static const char *judge_nearby(random_source *source, world_fixture *w, uint32_t *found)
+{
+    query q = random_chance(source, 20) ? make_touching_query(source, w) : make_query(source, w);
+    if (answer_right(w, q, found) && short_buffer_right(source, w, q) && linear_right(w, q)) return NULL;
+    return "the nearby pieces are not those that touch";
 }
 
 static void test_nearby_finds_exactly_the_pieces_that_touch(void **state)
 {
-    static world_fixture w;
     random_run run = random_cases(__func__, 31, 3000);
-    uint32_t found = 0, queries = 0;
+    uint32_t found = world_run(&run, 60, judge_nearby), queries = (run.end - run.first) * 60;
     (void)state;
-    for (uint32_t i = run.first; i < run.end; i++) {
-        random_source source = random_stream(run.seed, i);
-        world_make(&source, &w);
-        for (int step = 0; step < 60; step++) {
-            bool edited = world_edit(&source, &w);
-            query q = random_chance(&source, 20) ? make_touching_query(&source, &w) : make_query(&source, &w);
-            queries++;
-            if (edited && answer_right(&w, q, &found) && short_buffer_right(&source, &w, q) && linear_right(&w, q)) continue;
-            random_print_case(&run, i);
-            fail_msg("step %d: %s", step, edited ? "the nearby pieces are not those that touch" : "the index answered an edit wrongly");
-        }
-    }
     print_message("figures: " EXACT_BUILD " nearby: %lu queries, %lu pieces found\n", (unsigned long)queries, (unsigned long)found);
     assert_true(found > 0);
 }

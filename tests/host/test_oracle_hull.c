@@ -16,11 +16,6 @@ typedef struct pair {
 
 typedef struct place { tuff_terrain piece; tuff_vec2 position; bool in_world; } place;
 
-static tuff_vec2 point_in_steps(double x, double y)
-{
-    return (tuff_vec2){ real_from_double(x), real_from_double(y) };
-}
-
 /* A shape of its own; the piece itself; or the piece turned by almost nothing or almost half a turn, for nearly parallel faces. */
 static void make_hull(random_source *source, pair *p, double largest)
 {
@@ -40,7 +35,7 @@ static void make_pair(random_source *source, pair *p, double largest)
     oracle_read_polygon(&p->piece, &p->piece_shape.polygon);
     oracle_read_polygon(&p->hull, &p->hull_shape.polygon);
     tuff_real piece = p->piece_shape.bounding_radius, hull = p->hull_shape.bounding_radius;
-    p->size = (double)exact_real(piece > hull ? piece : hull) / EXACT_UNIT;
+    p->size = units_of(piece > hull ? piece : hull);
     p->given_hull = p->hull_shape.polygon;
     if (random_chance(source, 50)) p->given_hull.normals = NULL;
 }
@@ -66,7 +61,7 @@ static tuff_vec2 off_face(random_source *source, const pair *p, double away)
     double out = away + (double)exact_dot(normal, face_of->vertices[i]) + reach_back(other, normal);
     double along = random_chance(source, 30) ? 0 : random_within(source, -p->size, p->size) * EXACT_UNIT;
     double x = (double)normal.x * out - (double)normal.y * along, y = (double)normal.y * out + (double)normal.x * along;
-    return exchanged ? point_in_steps(-x, -y) : point_in_steps(x, y);
+    return exchanged ? vec2_from_doubles(-x, -y) : vec2_from_doubles(x, y);
 }
 
 /* Two vertices on one another, or a few steps apart. */
@@ -75,7 +70,7 @@ static tuff_vec2 vertex_on_vertex(random_source *source, const pair *p)
     exact2 a = p->piece.vertices[random_below(source, (uint32_t)p->piece.count)];
     exact2 b = p->hull.vertices[random_below(source, (uint32_t)p->hull.count)];
     double x = family_steps(source);
-    return point_in_steps((double)(a.x - b.x) + x, (double)(a.y - b.y) + family_steps(source));
+    return vec2_from_doubles((double)(a.x - b.x) + x, (double)(a.y - b.y) + family_steps(source));
 }
 
 static tuff_vec2 some_offset(random_source *source, const pair *p)
@@ -85,7 +80,7 @@ static tuff_vec2 some_offset(random_source *source, const pair *p)
     case 1:  return off_face(source, p, family_steps(source));
     case 2:  return off_face(source, p, -p->size * EXACT_UNIT * random_fraction(source));
     case 3:  return vertex_on_vertex(source, p);
-    default: return random_chance(source, 30) ? (tuff_vec2){ 0, 0 } : point_in_steps(family_steps(source), family_steps(source));
+    default: return random_chance(source, 30) ? (tuff_vec2){ 0, 0 } : vec2_from_doubles(family_steps(source), family_steps(source));
     }
 }
 
@@ -98,11 +93,10 @@ static bool overlap(const pair *p, const place *at, tuff_contact *contact)
 static const char *judge_left_over(accuracy *sum, const accuracy_bounds *bounds, const pair *p, const place *at,
                                    const tuff_contact *contact)
 {
-    tuff_body body = { at->position, { 0, 0 }, NULL };
+    tuff_vec2 pushed = accuracy_pushed(at->position, contact);
     oracle_answer answer;
-    tuff_bounce(&body, contact);
-    oracle_hull(&p->piece, &p->hull, exact_sub(exact_vec2(body.position), exact_vec2(at->piece.position)), &answer);
-    return accuracy_judge_push(sum, bounds, answer.depth, body.position);
+    oracle_hull(&p->piece, &p->hull, exact_sub(exact_vec2(pushed), exact_vec2(at->piece.position)), &answer);
+    return accuracy_judge_push(sum, bounds, answer.depth, pushed);
 }
 
 /* The gap along the best face is no more than the distance; the distance itself is looked at only where it matters. */
@@ -141,25 +135,16 @@ static void hull_case(accuracy *sum, const random_run *run, uint32_t index, doub
     }
 }
 
-static void hull_polygon(const char *name, const char *what, uint32_t cases, double largest)
-{
-    random_run run = random_cases(name, 201, cases);
-    accuracy sum = { 0 };
-    for (uint32_t i = run.first; i < run.end; i++) hull_case(&sum, &run, i, largest);
-    accuracy_print(&sum, what);
-    assert_int_equal(sum.faults, 0);
-}
-
 static void hull_and_polygon_to_64_units(void **state)
 {
     (void)state;
-    hull_polygon(__func__, "hull and polygon, to 64 units", 30000, 64);
+    accuracy_run(__func__, "hull and polygon, to 64 units", 201, 30000, hull_case, 64);
 }
 
 static void hull_and_polygon_to_1024_units(void **state)
 {
     (void)state;
-    hull_polygon(__func__, "hull and polygon, to 1024 units", 30000, 1024);
+    accuracy_run(__func__, "hull and polygon, to 1024 units", 201, 30000, hull_case, 1024);
 }
 
 int main(int argc, char **argv)

@@ -3,8 +3,8 @@
 
    Segments against polygons and circles, judged by the oracle: never wrong in the fixed build, for every end that it can represent; in the
    float build outside of 1e-3 units of touching, or length * 2^-22. Ends swapped: the same answer. */
+#include "accuracy.h"
 #include "families.h"
-#include "oracle.h"
 
 #define PLACES 10                   /* segments of a case */
 
@@ -149,9 +149,7 @@ static tuff_vec2 piece_position(random_source *source)
 
 static exact allowance(exact2 a, exact2 b)
 {
-    exact length = exact_length(exact_sub(b, a)) / 4194304, least = (exact)EXACT_UNIT / 1000;
-    if (EXACT_WHOLE) return -1;
-    return length > least ? length : least;
+    return EXACT_WHOLE ? -1 : accuracy_float_beam_band(exact_length(exact_sub(b, a)));
 }
 
 static const char *judge(tally *sum, const target *t, exact2 a, exact2 b, bool found)
@@ -162,7 +160,7 @@ static const char *judge(tally *sum, const target *t, exact2 a, exact2 b, bool f
     sum->hits += hit;
     if (hit == found) return NULL;
     exact margin = t->radius > 0 ? oracle_segment_circle_margin(a, b, radius) : oracle_segment_polygon_margin(&t->polygon, a, b);
-    if ((double)margin > sum->widest) sum->widest = (double)margin;
+    raise_to(&sum->widest, margin);
     if (margin <= allowance(a, b)) return NULL;
     sum->wrong++;
     return hit ? "hit missed" : "hit reported of a segment that is apart";
@@ -170,9 +168,8 @@ static const char *judge(tally *sum, const target *t, exact2 a, exact2 b, bool f
 
 static void report(tally *sum, const random_run *run, uint32_t index, const char *fault, exact2 a, exact2 b)
 {
-    if (!fault || ++sum->faults > 3) return;
-    print_error("%s: from (%.3f, %.3f) to (%.3f, %.3f) steps from the piece\n", fault, (double)a.x, (double)a.y, (double)b.x, (double)b.y);
-    random_print_case(run, index);
+    if (!random_count_fault(&sum->faults, run, index, fault)) return;
+    print_error("from (%.3f, %.3f) to (%.3f, %.3f) steps from the piece\n", (double)a.x, (double)a.y, (double)b.x, (double)b.y);
 }
 
 static void judge_segment(tally *sum, const random_run *run, uint32_t index, const target *t, segment s, const tuff_vec2 *position)

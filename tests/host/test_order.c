@@ -11,24 +11,9 @@
 
 /* ---- a body among pieces ---- */
 
-typedef struct mover {
-    random_shape  shape;
-    const tuff_polygon *hull;
-    tuff_real     radius;
-    tuff_material material;
-    tuff_body     body;
-} mover;
-
-static void make_mover(random_source *source, const world_fixture *w, mover *m)
+static void make_mover(random_source *source, const world_fixture *w, world_mover *m)
 {
-    double size = w->size * random_magnitude(source, 0.02, 2.0);
-    m->hull = NULL;
-    m->radius = random_point_at(size, 0).x;
-    if (random_chance(source, 50)) {
-        random_rock_shape(source, &m->shape, 8, size);
-        m->hull = &m->shape.polygon;
-        m->radius = m->shape.bounding_radius;
-    }
+    world_make_mover(source, w, m, 50);
     m->material.restitution = random_point_at(random_within(source, 0.0, 1.5), 0).x;
     m->material.friction = random_point_at(random_fraction(source), 0).x;
     m->body = (tuff_body){ world_point(source, w, 1.0), random_point(source, 20.0), random_chance(source, 50) ? &m->material : NULL };
@@ -41,7 +26,7 @@ typedef struct outcome {
     uint16_t     pushes;
 } outcome;
 
-static outcome collide(const tuff_world *world, const mover *m)
+static outcome collide(const tuff_world *world, const world_mover *m)
 {
     outcome o = { .body = m->body };
     o.touches = (tuff_touches){ o.list, TUFF_MAX_PUSHES, 12345 };
@@ -49,22 +34,11 @@ static outcome collide(const tuff_world *world, const mover *m)
     return o;
 }
 
-static bool same_body(const tuff_body *a, const tuff_body *b)
-{
-    return a->position.x == b->position.x && a->position.y == b->position.y && a->velocity.x == b->velocity.x &&
-           a->velocity.y == b->velocity.y && a->material == b->material;
-}
-
-static bool same_contact(const tuff_contact *a, const tuff_contact *b)
-{
-    return a->overlap == b->overlap && a->normal.x == b->normal.x && a->normal.y == b->normal.y;
-}
-
 static bool same_outcome(const outcome *a, const outcome *b)
 {
     if (a->pushes != b->pushes || a->touches.count != b->touches.count || !same_body(&a->body, &b->body)) return false;
     for (int i = 0; i < a->touches.count; i++) {
-        if (a->list[i].piece != b->list[i].piece || !same_contact(&a->list[i].contact, &b->list[i].contact)) return false;
+        if (!same_touch(&a->list[i], &b->list[i])) return false;
     }
     return true;
 }
@@ -87,9 +61,35 @@ static void index_shuffled(random_source *source, world_fixture *w)
     }
 }
 
+/* NULL: all is well. Otherwise what is wrong; counted is what the test counts. */
+typedef const char *mover_judge(random_source *source, world_fixture *w, world_mover *m, uint32_t *counted);
+
+/* A world for each case, without its index yet, and a mover for the judge to make. What was counted. */
+static uint32_t run_movers(const random_run *run, mover_judge *judge)
+{
+    static world_fixture w;
+    static world_mover m;
+    uint32_t counted = 0;
+    for (uint32_t i = run->first; i < run->end; i++) {
+        random_source source = random_stream(run->seed, i);
+        world_make(&source, &w);
+        const char *fault = judge(&source, &w, &m, &counted);
+        if (fault) random_fail(run, i, "%s", fault);
+    }
+    return counted;
+}
+
+/* A mover, an index in an order of its own, and either order of pushes. */
+static void make_indexed(random_source *source, world_fixture *w, world_mover *m)
+{
+    make_mover(source, w, m);
+    index_shuffled(source, w);
+    w->world.order = (uint8_t)random_below(source, 2);
+}
+
 /* ---- deepest first ---- */
 
-static bool find_deepest(const world_fixture *w, const mover *m, const tuff_body *body, tuff_touch *deepest)
+static bool find_deepest(const world_fixture *w, const world_mover *m, const tuff_body *body, tuff_touch *deepest)
 {
     bool found = false;
     for (int i = 0; i < WORLD_MOST; i++) {
@@ -103,21 +103,21 @@ static bool find_deepest(const world_fixture *w, const mover *m, const tuff_body
 
 /* The deepest contact of all, lowest number first, again and again; a push that moves the body nowhere, at the edge of the range or by
    less than its rounding, is the last. */
-static outcome retell_deepest(const world_fixture *w, const mover *m)
+static outcome retell_deepest(const world_fixture *w, const world_mover *m)
 {
     outcome o = { .body = m->body };
     bool moved = true;
     while (moved && o.pushes < TUFF_MAX_PUSHES && find_deepest(w, m, &o.body, &o.list[o.pushes])) {
         tuff_vec2 before = o.body.position;
         tuff_bounce(&o.body, &o.list[o.pushes].contact);
-        moved = o.body.position.x != before.x || o.body.position.y != before.y;
+        moved = !same_point(o.body.position, before);
         o.pushes++;
     }
     o.touches.count = o.pushes;
     return o;
 }
 
-static bool deepest_right(random_source *source, world_fixture *w, const mover *m, uint32_t *pushes)
+static bool deepest_right(random_source *source, world_fixture *w, const world_mover *m, uint32_t *pushes)
 {
     w->world.order = TUFF_ORDER_DEEPEST;
     index_shuffled(source, w);
@@ -131,28 +131,19 @@ static bool deepest_right(random_source *source, world_fixture *w, const mover *
     return same_outcome(&told, &indexed) && same_outcome(&told, &again) && same_outcome(&told, &linear);
 }
 
-/* Copies of pieces at the same place tie for the deepest contact. */
-static void add_twins(random_source *source, world_fixture *w)
+static const char *judge_deepest(random_source *source, world_fixture *w, world_mover *m, uint32_t *pushes)
 {
-    for (int i = 0; i < 6; i++) w->pieces[random_below(source, WORLD_MOST)] = w->pieces[random_below(source, WORLD_MOST)];
+    world_add_twins(source, w, 6);
+    make_mover(source, w, m);
+    if (deepest_right(source, w, m, pushes)) return NULL;
+    return "the deepest contact, lowest number first, was not taken, or the order of insertion shows";
 }
 
 static void test_deepest_first_depends_on_no_insertion_order(void **state)
 {
-    static world_fixture w;
-    static mover m;
     random_run run = random_cases(__func__, 51, 25000);
-    uint32_t pushes = 0;
+    uint32_t pushes = run_movers(&run, judge_deepest);
     (void)state;
-    for (uint32_t i = run.first; i < run.end; i++) {
-        random_source source = random_stream(run.seed, i);
-        world_make(&source, &w);
-        add_twins(&source, &w);
-        make_mover(&source, &w, &m);
-        if (deepest_right(&source, &w, &m, &pushes)) continue;
-        random_print_case(&run, i);
-        fail_msg("the deepest contact, lowest number first, was not taken, or the order of insertion shows");
-    }
     print_message("figures: " EXACT_BUILD " order: %lu calls deepest first, %lu pushes\n", (unsigned long)(run.end - run.first),
                   (unsigned long)pushes);
     assert_true(pushes > 0);
@@ -209,7 +200,7 @@ static void test_a_wedge_takes_no_more_than_the_most_pushes(void **state)
 /* ---- reports ---- */
 
 /* What a report with less room, none, or no report at all must have in common with a whole one. */
-static bool report_right(random_source *source, const world_fixture *w, const mover *m, uint32_t *cut_off)
+static bool report_right(random_source *source, const world_fixture *w, const world_mover *m, uint32_t *cut_off)
 {
     outcome whole = collide(&w->world, m);
     tuff_touch list[TUFF_MAX_PUSHES];
@@ -222,8 +213,7 @@ static bool report_right(random_source *source, const world_fixture *w, const mo
     if (touches.count != whole.pushes || !same_body(&body, &whole.body)) return false;
     for (int i = 0; i < TUFF_MAX_PUSHES; i++) {
         bool fits = i < room && i < touches.count;
-        if (!(fits ? list[i].piece == whole.list[i].piece && same_contact(&list[i].contact, &whole.list[i].contact)
-                   : list[i].contact.overlap == 0)) return false;
+        if (!(fits ? same_touch(&list[i], &whole.list[i]) : list[i].contact.overlap == 0)) return false;
     }
     for (int i = 0; i < whole.pushes; i++) tuff_bounce(&replayed, &whole.list[i].contact);
     *cut_off += whole.pushes > room;
@@ -231,30 +221,24 @@ static bool report_right(random_source *source, const world_fixture *w, const mo
            same_body(&replayed, &whole.body);
 }
 
+static const char *judge_report(random_source *source, world_fixture *w, world_mover *m, uint32_t *cut_off)
+{
+    make_indexed(source, w, m);
+    return report_right(source, w, m, cut_off) ? NULL : "the report does not fit the pushes";
+}
+
 static void test_reports_tell_each_push_and_how_many_there_were(void **state)
 {
-    static world_fixture w;
-    static mover m;
     random_run run = random_cases(__func__, 52, 20000);
-    uint32_t cut_off = 0;
+    uint32_t cut_off = run_movers(&run, judge_report);
     (void)state;
-    for (uint32_t i = run.first; i < run.end; i++) {
-        random_source source = random_stream(run.seed, i);
-        world_make(&source, &w);
-        make_mover(&source, &w, &m);
-        index_shuffled(&source, &w);
-        w.world.order = (uint8_t)random_below(&source, 2);
-        if (report_right(&source, &w, &m, &cut_off)) continue;
-        random_print_case(&run, i);
-        fail_msg("the report does not fit the pushes");
-    }
     if (run.end - run.first > 1) assert_true(cut_off > 0);
 }
 
 /* ---- other ways to say the same ---- */
 
 /* NULL is the default material; a circle is a hull of NULL or of fewer than 3 vertices; floaters are a world without an index. */
-static bool ways_agree(const world_fixture *w, const mover *m)
+static bool ways_agree(const world_fixture *w, const world_mover *m)
 {
     tuff_world linear = w->world;
     linear.chunks = NULL;
@@ -273,11 +257,11 @@ static bool ways_agree(const world_fixture *w, const mover *m)
     return tuff_floater_collide(&floating, m->radius, w->pieces, WORLD_MOST, m->hull) == o.pushes && same_body(&floating, &o.body);
 }
 
-static bool circle_ways_agree(const world_fixture *w, const mover *m)
+static bool circle_ways_agree(const world_fixture *w, const world_mover *m)
 {
     tuff_vec2 vertices[2] = { { 0, 0 }, { TUFF_WHOLE(1), 0 } };
     tuff_polygon stick = { vertices, NULL, 0, 2 };
-    mover circle = { .hull = NULL, .radius = m->radius, .body = m->body };
+    world_mover circle = { .hull = NULL, .radius = m->radius, .body = m->body };
     outcome o = collide(&w->world, &circle);
     tuff_body body = m->body, other = m->body, floating = m->body, floating_circle = m->body;
     if (tuff_terrain_collide_circle(&w->world, &body, m->radius) != o.pushes || !same_body(&body, &o.body)) return false;
@@ -288,10 +272,10 @@ static bool circle_ways_agree(const world_fixture *w, const mover *m)
 }
 
 /* A hull's normals, made by the call or given. */
-static bool normals_agree(const world_fixture *w, const mover *m)
+static bool normals_agree(const world_fixture *w, const world_mover *m)
 {
     tuff_polygon bare = m->shape.polygon;
-    mover other = *m;
+    world_mover other = *m;
     if (m->hull == NULL) return true;
     bare.normals = NULL;
     other.hull = &bare;
@@ -299,24 +283,20 @@ static bool normals_agree(const world_fixture *w, const mover *m)
     return same_outcome(&given, &made);
 }
 
+static const char *judge_ways(random_source *source, world_fixture *w, world_mover *m, uint32_t *counted)
+{
+    (void)counted;
+    make_indexed(source, w, m);
+    if (!ways_agree(w, m)) return "floaters or the default material differ";
+    if (!circle_ways_agree(w, m)) return "the circle calls differ";
+    return normals_agree(w, m) ? NULL : "normals made by the call differ from given ones";
+}
+
 static void test_the_same_call_in_other_words_gives_the_same_bits(void **state)
 {
-    static world_fixture w;
-    static mover m;
     random_run run = random_cases(__func__, 53, 20000);
     (void)state;
-    for (uint32_t i = run.first; i < run.end; i++) {
-        random_source source = random_stream(run.seed, i);
-        world_make(&source, &w);
-        make_mover(&source, &w, &m);
-        index_shuffled(&source, &w);
-        w.world.order = (uint8_t)random_below(&source, 2);
-        bool ways = ways_agree(&w, &m), circles = circle_ways_agree(&w, &m), normals = normals_agree(&w, &m);
-        if (ways && circles && normals) continue;
-        random_print_case(&run, i);
-        fail_msg("%s", !ways ? "floaters or the default material differ"
-                             : !circles ? "the circle calls differ" : "normals made by the call differ from given ones");
-    }
+    run_movers(&run, judge_ways);
 }
 
 static void test_a_material_of_the_bodys_own_is_used(void **state)
@@ -385,8 +365,7 @@ static void test_deepest_first_slides_over_flush_seams(void **state)
             body.position.y += body.velocity.y;
             pushes += tuff_floater_collide_report(&body, radius, floor_pieces, WORLD_MOST, NULL, TUFF_ORDER_DEEPEST, NULL);
             if (body.velocity.x > slowest && body.position.y >= radius - TUFF_RATIO(1, 1000)) continue;
-            random_print_case(&run, i);
-            fail_msg("the ball was held up at a seam");
+            random_fail(&run, i, "the ball was held up at a seam");
         }
         assert_true(pushes > 0);
     }

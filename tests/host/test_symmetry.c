@@ -6,8 +6,11 @@
 #include <string.h>
 
 #include "rocks.h"
+#include "same.h"
 
 enum { MIRROR, TURN_LEFT, TRANSFORMS };
+
+static const char *const transform_names[TRANSFORMS] = { "mirrored", "turned" };
 
 #define MOST_PIECES 8
 #define MOST_PARTS  (MOST_PIECES * ROCK_MAX_PARTS)
@@ -95,8 +98,7 @@ typedef struct scene {
 static void make_tied_shape(random_source *source, random_shape *shape)
 {
     tuff_real wide = TUFF_WHOLE(random_between(source, 1, 8)), high = TUFF_WHOLE(random_between(source, 1, 8));
-    tuff_vec2 box[4] = { { -wide, -high }, { wide, -high }, { wide, high }, { -wide, high } };
-    for (int i = 0; i < 4; i++) shape->vertices[i] = box[i];
+    random_box_shape(shape, (tuff_vec2){ wide, high });
     random_renumber(source, shape->vertices, 4);
     random_bake(shape, 4);
 }
@@ -144,9 +146,28 @@ static void make_scene(random_source *source, scene *s, int pieces)
 static bool coincident(const scene *s)
 {
     for (int i = 0; i < s->count; i++) {
-        if (s->pieces[i].position.x == s->body.position.x && s->pieces[i].position.y == s->body.position.y) return true;
+        if (same_point(s->pieces[i].position, s->body.position)) return true;
     }
     return false;
+}
+
+/* Does the scene, mirrored or turned, give the mirrored or turned answer? Counts what the plain scene had to answer. */
+typedef bool scene_judge(const scene *s, int transform, uint32_t *counted);
+
+/* Scenes of one piece, or of up to most, in all transforms. What was counted. */
+static uint32_t run_scenes(const random_run *run, int most, scene_judge *judge)
+{
+    static scene s;
+    uint32_t counted = 0;
+    for (uint32_t i = run->first; i < run->end; i++) {
+        random_source source = random_stream(run->seed, i);
+        make_scene(&source, &s, most > 1 ? random_between(&source, 1, most) : 1);
+        if (coincident(&s)) continue;
+        for (int transform = 0; transform < TRANSFORMS; transform++) {
+            if (!judge(&s, transform, &counted)) random_fail(run, i, "the %s answer differs", transform_names[transform]);
+        }
+    }
+    return counted;
 }
 
 /* ---- one contact ---- */
@@ -157,7 +178,7 @@ static bool contact_of(const tuff_terrain *piece, const scene *s, tuff_vec2 posi
                 : tuff_terrain_overlap_circle(piece, position, s->radius, contact);
 }
 
-static bool contact_turns(const scene *s, int transform, bool *overlapping)
+static bool contact_turns(const scene *s, int transform, uint32_t *overlaps)
 {
     static copies made;
     made.count = 0;
@@ -167,30 +188,16 @@ static bool contact_turns(const scene *s, int transform, bool *overlapping)
     const tuff_polygon *turned_hull = hull ? copy_polygon(&made, transform, hull) : NULL;
     bool before = contact_of(&s->pieces[0], s, s->body.position, hull, &plain);
     bool after = contact_of(&piece, s, apply(transform, s->body.position), turned_hull, &turned);
-    *overlapping = before;
+    *overlaps += before;
     if (TUFF_SCALAR == TUFF_FLOAT && before != after) return plain.overlap < TUFF_RATIO(1, 10000) && turned.overlap < TUFF_RATIO(1, 10000);
     return before == after && (!before || same_contact(transform, &plain, &turned));
 }
 
 static void test_a_contact_mirrors_and_turns(void **state)
 {
-    static scene s;
     random_run run = random_cases(__func__, 21, 60000);
-    uint32_t overlaps = 0;
+    uint32_t overlaps = run_scenes(&run, 1, contact_turns);
     (void)state;
-    for (uint32_t i = run.first; i < run.end; i++) {
-        random_source source = random_stream(run.seed, i);
-        make_scene(&source, &s, 1);
-        if (coincident(&s)) continue;
-        for (int transform = 0; transform < TRANSFORMS; transform++) {
-            bool overlapping;
-            if (!contact_turns(&s, transform, &overlapping)) {
-                random_print_case(&run, i);
-                fail_msg("the %s contact differs", transform == MIRROR ? "mirrored" : "turned");
-            }
-            overlaps += overlapping;
-        }
-    }
     print_message("figures: " EXACT_BUILD " symmetry: %lu overlapping contacts mirrored or turned\n", (unsigned long)overlaps);
     assert_true(overlaps > 0);
 }
@@ -213,8 +220,7 @@ static void test_edge_normals_mirror_and_turn(void **state)
             tuff_edge_normals(turned->vertices, turned->count, normals);
             for (int k = 0; k < turned->count; k++) {
                 if (same_unit2(turned->normals[k], normals[k], 3e-7)) continue;
-                random_print_case(&run, i);
-                fail_msg("the %s normal of edge %d differs", transform == MIRROR ? "mirrored" : "turned", k);
+                random_fail(&run, i, "the %s normal of edge %d differs", transform_names[transform], k);
             }
         }
     }
@@ -277,20 +283,9 @@ static bool scene_turns(const scene *s, int transform, uint32_t *pushes)
 
 static void test_scenes_pushed_deepest_first_mirror_and_turn(void **state)
 {
-    static scene s;
     random_run run = random_cases(__func__, 23, 30000);
-    uint32_t pushes = 0;
+    uint32_t pushes = run_scenes(&run, MOST_PIECES, scene_turns);
     (void)state;
-    for (uint32_t i = run.first; i < run.end; i++) {
-        random_source source = random_stream(run.seed, i);
-        make_scene(&source, &s, random_between(&source, 1, MOST_PIECES));
-        if (coincident(&s)) continue;
-        for (int transform = 0; transform < TRANSFORMS; transform++) {
-            if (scene_turns(&s, transform, &pushes)) continue;
-            random_print_case(&run, i);
-            fail_msg("the %s scene ends elsewhere", transform == MIRROR ? "mirrored" : "turned");
-        }
-    }
     print_message("figures: " EXACT_BUILD " symmetry: %lu pushes, deepest first, mirrored or turned\n", (unsigned long)pushes);
     assert_true(pushes > 0);
 }

@@ -7,6 +7,7 @@
 #define TUFF_TESTS_WORLDS_H
 
 #include "rocks.h"
+#include "same.h"
 
 #define WORLD_MOST     40
 #define WORLD_SHAPES   6
@@ -108,6 +109,36 @@ static inline void world_make(random_source *source, world_fixture *w)
     w->index_used = false;
 }
 
+/* Some pieces become copies of others, at the same place: they tie. */
+static inline void world_add_twins(random_source *source, world_fixture *w, int count)
+{
+    for (int i = 0; i < count; i++) {
+        uint32_t from = random_below(source, WORLD_MOST);
+        w->pieces[random_below(source, WORLD_MOST)] = w->pieces[from];
+    }
+}
+
+typedef struct world_mover {        /* a body among the pieces, a circle or a hull; the hull points into it */
+    random_shape  shape;
+    const tuff_polygon *hull;
+    tuff_real     radius;
+    tuff_material material;
+    tuff_body     body;
+} world_mover;
+
+/* Hull and radius: so many percent are hulls. The body is the caller's. */
+static inline void world_make_mover(random_source *source, const world_fixture *w, world_mover *m, uint32_t hulls)
+{
+    double size = w->size * random_magnitude(source, 0.02, 2.0);
+    m->hull = NULL;
+    m->radius = random_point_at(size, 0).x;
+    if (random_chance(source, hulls)) {
+        random_rock_shape(source, &m->shape, 8, size);
+        m->hull = &m->shape.polygon;
+        m->radius = m->shape.bounding_radius;
+    }
+}
+
 /* ---- editing ---- */
 
 /* floor(a / pitch), from exact numbers. */
@@ -172,6 +203,40 @@ static inline bool world_edit(random_source *source, world_fixture *w)
     return true;
 }
 
+/* NULL: all is well. Otherwise what is wrong; counted is what the test counts. */
+typedef const char *world_judge(random_source *source, world_fixture *w, uint32_t *counted);
+
+/* In the world of each case so many steps, each an edit and a question for the judge. What was counted. */
+static inline uint32_t world_run(const random_run *run, int steps, world_judge *judge)
+{
+    static world_fixture w;
+    uint32_t counted = 0;
+    for (uint32_t i = run->first; i < run->end; i++) {
+        random_source source = random_stream(run->seed, i);
+        world_make(&source, &w);
+        for (int step = 0; step < steps; step++) {
+            const char *fault = world_edit(&source, &w) ? judge(&source, &w, &counted) : "the index answered an edit wrongly";
+            if (fault) random_fail(run, i, "step %d: %s", step, fault);
+        }
+    }
+    return counted;
+}
+
+/* Take the index away, for a search from end to end; give back what world_index_on needs. */
+static inline bool world_index_off(world_fixture *w)
+{
+    bool used = w->index_used;
+    w->world.chunks = NULL;
+    w->index_used = false;
+    return used;
+}
+
+static inline void world_index_on(world_fixture *w, bool used)
+{
+    w->world.chunks = &w->chunks;
+    w->index_used = used;
+}
+
 /* ---- what must be found ---- */
 
 /* Can piece i be found at all: within the array, no empty slot, and in the index if that is in use? */
@@ -185,8 +250,7 @@ static inline bool world_told(const world_fixture *w, int i)
 {
     const tuff_terrain *piece = &w->pieces[i];
     const world_shadow *shadow = &w->shadows[i];
-    return !w->index_used || (shadow->position.x == piece->position.x && shadow->position.y == piece->position.y &&
-                              shadow->bounding_radius == piece->bounding_radius);
+    return !w->index_used || (same_point(shadow->position, piece->position) && shadow->bounding_radius == piece->bounding_radius);
 }
 
 /* How far the circle about center is from the bounding circle of piece i: d * d - r * r, as a part of r * r. At most 0: they touch. */
