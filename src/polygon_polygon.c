@@ -131,11 +131,11 @@ TUFF_HOT bool tuff_polygon_polygon(const tuff_polygon *hull, tuff_vec2 offset, c
     const tuff_vec2 origin = { TUFF_WHOLE(0), TUFF_WHOLE(0) };
     tuff_unit2 scratch[TUFF_MAX_VERTICES];
     tuff_mover mover;
-    tuff_vec2 near;
+    tuff_vec2 relative;
     TUFF_ASSERT(polygon != NULL && hull != NULL && contact != NULL);
     if (polygon == NULL || !tuff_baked(polygon) || !tuff_is_hull(hull)) return false;
     (void)tuff_hull_mover(&mover, TUFF_WHOLE(0), hull, scratch);
     /* Both lie within a bounding radius of their owners. */
-    if (!tuff_offset_within(tuff_vec2_flush(offset), origin, TUFF_WHOLE(2 * TUFF_MAX_BOUNDING_RADIUS), &near)) return false;
-    return tuff_hull_part(&mover, near, polygon, false, contact) != TUFF_APART;
+    if (!tuff_offset_within(tuff_vec2_flush(offset), origin, TUFF_WHOLE(2 * TUFF_MAX_BOUNDING_RADIUS), &relative)) return false;
+    return tuff_hull_part(&mover, relative, polygon, false, contact) != TUFF_APART;
 }

@@ -16,12 +16,12 @@ static void find_columns(tuff_walk *walk)
 {
     const tuff_track *track = &walk->track;
     uint16_t pitch = tuff_pitch(walk->chunks);
-    int32_t near = within(walk->row * ((int32_t)1 << pitch), track->first, track->last);
-    int32_t far = within((walk->row + 1) * ((int32_t)1 << pitch), track->first, track->last);
-    int32_t at_near = track->minor + (int32_t)(((int64_t)track->slope * (near - track->major)) >> 15);
-    int32_t at_far = track->minor + (int32_t)(((int64_t)track->slope * (far - track->major)) >> 15);
-    walk->first_column = tuff_chunk_of(walk->chunks, greater(lesser(at_near, at_far) - track->margin, track->low));
-    walk->last_column = tuff_chunk_of(walk->chunks, lesser(greater(at_near, at_far) + track->margin, track->high));
+    int32_t enter = within(walk->row * ((int32_t)1 << pitch), track->first, track->last);
+    int32_t leave = within((walk->row + 1) * ((int32_t)1 << pitch), track->first, track->last);
+    int32_t at_enter = track->minor + (int32_t)(((int64_t)track->slope * (enter - track->major)) >> 15);
+    int32_t at_leave = track->minor + (int32_t)(((int64_t)track->slope * (leave - track->major)) >> 15);
+    walk->first_column = tuff_chunk_of(walk->chunks, greater(lesser(at_enter, at_leave) - track->margin, track->low));
+    walk->last_column = tuff_chunk_of(walk->chunks, lesser(greater(at_enter, at_leave) + track->margin, track->high));
 }
 
 static void open_chunk(tuff_walk *walk)

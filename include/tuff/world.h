@@ -81,8 +81,7 @@ uint16_t tuff_floater_collide_report(tuff_body *body, tuff_real radius, const tu
 bool tuff_segment_terrain_intersect(const tuff_world *world, tuff_vec2 a, tuff_vec2 b);
 
 /* What does a beam from a to b hit first? False: nothing, *hit is untouched. The point of the hit is within 2 LSB +
-   length * 2^-28 (fixed) of the
-   polygon's edge or the circle's surface that it lies on. */
+   length * 2^-28 (fixed) of the polygon's edge or the circle's surface that it lies on. */
 bool tuff_segment_terrain_first_hit(const tuff_world *world, tuff_vec2 a, tuff_vec2 b, tuff_beam_hit *hit);
 
 /* Which pieces' bounding circles overlap or touch this circle? Exactly those, each once. Indices go to
