@@ -254,7 +254,8 @@ static tuff_fault check_entry(const tuff_chunks *chunks, uint16_t number, const 
     if (!exists) return TUFF_FAULT_INDEX_STALE;
     int32_t x = tuff_chunk_of(chunks, tuff_floor(piece->position.x));
     int32_t y = tuff_chunk_of(chunks, tuff_floor(piece->position.y));
-    return x == entry->x && y == entry->y && (large || tuff_ceil(piece->bounding_radius) <= chunks->reach) ? TUFF_OK : TUFF_FAULT_INDEX_MOVED;
+    bool covered = large || tuff_ceil(piece->bounding_radius) <= chunks->reach;
+    return x == entry->x && y == entry->y && covered ? TUFF_OK : TUFF_FAULT_INDEX_MOVED;
 }
 
 static tuff_fault check_index(const tuff_world *world, uint16_t *piece)

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: Zlib
    Copyright (c) 2026 the tuff authors
 
-   A game of one file: a ball falls on a rock and must have been pushed out of it. Linked with the library of its own build, and of the other. */
+   A game of one file: a ball falls on a rock and must have been pushed out of it. Linked with the library of its own
+   build, and of the other. */
 #include <tuff/tuff.h>
 
 int main(void)
