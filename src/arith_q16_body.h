@@ -66,11 +66,6 @@ static uint32_t tuff_root(uint64_t square)
     return tuff_root_from(square, shift, tuff_inverse_root(square << shift));
 }
 
-static uint64_t tuff_length_squared(tuff_vec2 v)
-{
-    return (uint64_t)((int64_t)v.x * v.x) + (uint64_t)((int64_t)v.y * v.y);
-}
-
 /* component / length in Q2.30: component * 2^(shift/2) < 2^32 and inverse / 2^31 = 2^(32 - shift/2) / length. */
 static tuff_unit tuff_component(int32_t component, unsigned shift, uint32_t inverse)
 {
@@ -81,7 +76,7 @@ static tuff_unit tuff_component(int32_t component, unsigned shift, uint32_t inve
 
 tuff_real tuff_normalize(tuff_vec2 v, tuff_unit2 *direction)
 {
-    uint64_t square = tuff_length_squared(v);
+    uint64_t square = (uint64_t)((int64_t)v.x * v.x) + (uint64_t)((int64_t)v.y * v.y);
     if (square == 0) return 0;
     unsigned shift = tuff_even_shift(square);
     uint32_t inverse = tuff_inverse_root(square << shift);
@@ -162,10 +157,11 @@ tuff_unit tuff_ratio(tuff_area numerator, tuff_area denominator)
     return (tuff_unit)(((numerator << (TUFF_UNIT_BITS + 1)) / denominator + 1) >> 1);
 }
 
-/* A vector of 33-bit components in 31 bits, by a shift of 2 where it is needed. */
+/* A vector of 33-bit components with components up to 2^30, so that its length fits too: divided by 4 where it is longer. */
 static unsigned tuff_far_reduce(tuff_far2 d, tuff_vec2 *reduced)
 {
-    bool large = tuff_size64(d.x) > TUFF_INT32_MAX || tuff_size64(d.y) > TUFF_INT32_MAX;
+    const uint64_t limit = (uint64_t)1 << 30;
+    bool large = tuff_size64(d.x) > limit || tuff_size64(d.y) > limit;
     reduced->x = (int32_t)(large ? d.x / 4 : d.x);
     reduced->y = (int32_t)(large ? d.y / 4 : d.y);
     return large ? 2 : 0;
@@ -188,8 +184,7 @@ tuff_unit tuff_circle_entry(tuff_far2 a, tuff_far2 d, tuff_real radius)
     tuff_vec2 reduced;
     tuff_unit2 u = { TUFF_UNIT_ONE, 0 };
     unsigned reduction = tuff_far_reduce(d, &reduced);
-    int64_t length = (int64_t)tuff_root(tuff_length_squared(reduced)) * ((int64_t)32 << reduction);
-    (void)tuff_normalize(reduced, &u);
+    int64_t length = (int64_t)tuff_normalize(reduced, &u) * ((int64_t)32 << reduction);
     int64_t ahead = tuff_shift_nearest(-(a.x * u.x + a.y * u.y), 25);
     uint64_t beside = tuff_size64(tuff_shift_nearest(a.x * u.y - a.y * u.x, 25));
     uint64_t reach = (uint64_t)radius * 32;

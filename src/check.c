@@ -97,7 +97,7 @@ tuff_fault tuff_check_hull(const tuff_polygon *hull)
     if (hull == NULL || hull->vertices == NULL) return TUFF_FAULT_NULL;
     if (hull->count < 3) return TUFF_FAULT_TOO_FEW_VERTICES;
     if (hull->count > TUFF_MAX_VERTICES) return TUFF_FAULT_TOO_MANY_VERTICES;
-    if (hull->count < 32 && hull->internal_edges >> hull->count != 0) return TUFF_FAULT_INTERNAL_BITS;
+    if (hull->count < TUFF_MAX_VERTICES && hull->internal_edges >> hull->count != 0) return TUFF_FAULT_INTERNAL_BITS;
     fault = check_vertices(hull);
     if (fault == TUFF_OK) fault = check_convex(hull);
     if (fault == TUFF_OK && hull->normals != NULL) fault = check_normals(hull);

@@ -7,11 +7,11 @@
    5.1 and 5.5.7). */
 #include "inner.h"
 
-/* The Voronoi region of the center: an edge, or a vertex with the edge before it. */
+/* The Voronoi region of the center: an edge's or a vertex's. */
 typedef struct tuff_region {
     uint8_t edge;
     uint8_t vertex;
-    bool    at_vertex;      /* of this vertex; edge is then the one adjacent edge that faces the center more */
+    bool    at_vertex;      /* the vertex's; edge is then the one of its two that faces the center more */
 } tuff_region;
 
 /* A vertex region: of the two edges that meet there, the one whose normal is nearer to the direction of the center. */

@@ -27,7 +27,8 @@ static void least_way_out(const tuff_terrain *piece, tuff_vec2 offset, tuff_move
 /* The deepest of the contacts by outline edges; a part that overlaps by an internal edge gives none while another gives
    one. But what an earlier push may have left over decides nothing: as an outline contact it would hold back the way out
    of a body deep inside, as an internal one it would send a body that is out the long way round. No part is overlapped
-   deeper than the whole: a part overlapped by more than the residue means that the body is inside. */
+   deeper than the whole outline, so beside an outline contact of a residue, a part overlapped by clearly more (4: the
+   rounding of two axes, doubled) means that the body is inside. */
 static bool parts_contact(const tuff_terrain *piece, tuff_vec2 offset, tuff_mover *mover, tuff_real residue, tuff_contact *contact)
 {
     tuff_real outline = 0;
