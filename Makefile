@@ -11,7 +11,8 @@
 ##   CFLAGS=-O2                    your flags; those that the code needs are added to them
 ##   V=1                           show whole commands
 ##   WERROR=-Werror                warnings become errors (the tests do so)
-##   ARGS="--autopilot"            options of the demo: make demo ARGS=--help
+##   ARGS="--autopilot"            options of the demo or of shapes: make demo ARGS=--help
+##   IN=rock.png  OUT=rock.h       for shapes: the picture, sheet or map, and the header to write
 ##   UNITY_DIR=build/unity         the Unity test framework, a folder that holds src/unity.c; fetched if it is not there
 ##   TUFF_TEST_SCALE=100           percent of the random cases of the host tests
 
@@ -59,9 +60,12 @@ VERSION := $(call version,MAJOR).$(call version,MINOR).$(call version,PATCH)
 
 LIBRARIES := $(SCALARS:%=$(BUILD)/libtuff-%.a)
 
+SHAPE_TOOLS := $(BUILD)/shape-tools
+SHAPES      := PYTHONPATH=tools/shapes $(SHAPE_TOOLS)/bin/python -m tuff_shapes
+
 # ---- Targets that people call
 
-.PHONY: all demo demo-program test picture install help clean check-symbols FORCE
+.PHONY: all demo demo-program test picture shapes shape-tools rocks-draw install help clean check-symbols FORCE
 .DELETE_ON_ERROR:
 .SECONDARY:
 
@@ -80,6 +84,14 @@ check-symbols: $(LIBRARIES) ## show that the libraries hold no mutable data, and
 
 picture: $(BUILD)/tuff-demo $(BUILD)/picture-tools/ready ## draw docs/demo.gif and the screenshots (Python 3, Pillow)
 	$(BUILD)/picture-tools/bin/python ports/desktop/picture.py $(BUILD)/tuff-demo
+
+shapes: $(SHAPE_TOOLS)/ready ## trace a picture into a header: make shapes IN=rock.png OUT=rock.h (Python 3.11)
+	@$(SHAPES) $(ARGS) $(if $(IN),'$(IN)') $(if $(OUT),-o '$(OUT)')
+
+shape-tools: $(SHAPE_TOOLS)/ready ## get what shapes needs, into build/shape-tools
+
+rocks-draw: $(SHAPE_TOOLS)/ready ## draw the pictures of the demo's rocks anew: ports/scene/rocks
+	$(SHAPE_TOOLS)/bin/python ports/scene/rocks/draw.py
 
 install: $(LIBRARIES) ## install headers, libraries, pkg-config files and CMake package: PREFIX, DESTDIR
 	$(INSTALL) -d '$(DESTDIR)$(PREFIX)/include/tuff' '$(DESTDIR)$(PREFIX)/$(LIBDIR)/pkgconfig' '$(DESTDIR)$(PREFIX)/$(LIBDIR)/cmake/tuff'
@@ -205,12 +217,28 @@ $(BUILD)/tuff-demo: $(DEMO_OBJECTS) $(LIBRARIES) ports/desktop/demo.list
 	$(call say,LINK,$@)
 	$(Q)$(CC) $(CFLAGS) $(LDFLAGS) $(DEMO_OBJECTS) $(LIBRARIES) -lm -o $@
 
+# The rocks' headers are committed, so that a C compiler is enough. Where tools/shapes is there, a changed picture is traced anew.
+ROCKS        := ports/scene/rocks
+ROCK_HEADERS := $(patsubst %.png,%.h,$(wildcard $(ROCKS)/*.png))
+ROCK_OPTIONS  = --quiet --name $*_rocks $(if $(filter concave,$*),--strip 3,--strip 5 --model hull)
+
+$(SCALARS:%=$(BUILD)/make/plain/%/ports/scene/shapes.o): $(ROCK_HEADERS)
+ifneq ($(wildcard $(SHAPE_TOOLS)/ready),)
+$(ROCKS)/%.h: $(ROCKS)/%.png
+	$(call say,ROCK,$@)
+	$(Q)$(SHAPES) $(ROCK_OPTIONS) $< -o $@
+endif
+
 $(UNITY_DIR)/src/unity.c:
 	scripts/get-unity '$(UNITY_DIR)'
 
 $(BUILD)/picture-tools/ready: ports/desktop/requirements.txt
 	$(PYTHON) -m venv $(BUILD)/picture-tools
 	$(BUILD)/picture-tools/bin/python -m pip install --quiet --requirement ports/desktop/requirements.txt
+	@touch $@
+
+$(SHAPE_TOOLS)/ready: tools/shapes/requirements.txt tests/shapes/requirements.txt
+	PYTHON='$(PYTHON)' scripts/get-shape-tools $(SHAPE_TOOLS) $^
 	@touch $@
 
 -include $(shell test -d $(BUILD)/make && find $(BUILD)/make -name '*.d')

@@ -20,6 +20,10 @@ typedef float tuff_unit;
 #define TUFF_REAL_RAW(n) ((tuff_real)(n) / 65536.0f)
 #define TUFF_UNIT_RAW(n) ((tuff_unit)(n) / 1073741824.0f)
 
+/* A constant given twice, as n / 2^30 and as a float literal, so that either build has it right to the last bit. For
+   tables that tools write. */
+#define TUFF_UNIT_EITHER(n, floating) ((tuff_unit)(floating))
+
 /* The number closest to value / 2^fraction_bits. fraction_bits: 0 .. 30. */
 static inline tuff_real tuff_real_from_fixed(int32_t value, unsigned fraction_bits)
 {

@@ -26,6 +26,10 @@ typedef int32_t tuff_unit;   /* Q2.30 */
 #define TUFF_REAL_RAW(n) ((tuff_real)(n))
 #define TUFF_UNIT_RAW(n) ((tuff_unit)(n))
 
+/* A constant given twice, as n / 2^30 and as a float literal, so that either build has it right to the last bit. For
+   tables that tools write. */
+#define TUFF_UNIT_EITHER(n, floating) ((tuff_unit)(n))
+
 /* The number closest to value / 2^fraction_bits; saturates at +-32768. fraction_bits: 0 .. 30. */
 static inline tuff_real tuff_real_from_fixed(int32_t value, unsigned fraction_bits)
 {
