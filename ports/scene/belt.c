@@ -23,16 +23,18 @@ bool scene_clear_spot(scene *s, tuff_real radius, int32_t from_ship, tuff_vec2 *
 
 bool scene_place_rock(scene *s, uint16_t piece, uint8_t shape, int32_t from_ship)
 {
-    const scene_shape *drawn = &s->shapes[shape];
+    const tuff_terrain *drawn = scene_rock(shape);
     tuff_terrain *rock = &s->terrain[piece];
     tuff_vec2 spot;
     if (!scene_clear_spot(s, drawn->bounding_radius + TUFF_WHOLE(9), from_ship, &spot)) return false;
+    *rock = *drawn;
     rock->position = spot;
-    rock->radius = drawn->bounding_radius / 2;
-    rock->bounding_radius = drawn->bounding_radius;
-    rock->parts = &s->parts[drawn->first_part];
-    rock->part_count = drawn->part_count;
     return tuff_chunks_insert(&s->chunks, piece, rock->position, rock->bounding_radius);
+}
+
+static uint8_t medium_shape(uint32_t number)
+{
+    return (uint8_t)(SCENE_MEDIUM_SHAPES + number % SCENE_SIZE_SHAPES);
 }
 
 /* A ball without polygons that is larger than a chunk. */
@@ -51,24 +53,22 @@ static void place_rocks(scene *s)
     }
     for (uint16_t i = 0; i < SCENE_VOLATILE_COUNT; i++) {
         s->hits[i] = SCENE_ROCK_HITS;
-        scene_place_rock(s, (uint16_t)(SCENE_FIRST_VOLATILE + i), (uint8_t)(i % 5 * 3 + 1), 70);
+        scene_place_rock(s, (uint16_t)(SCENE_FIRST_VOLATILE + i), medium_shape(i), 70);
     }
     for (uint16_t i = 0; i < SCENE_PLAIN_COUNT; i++) {
         scene_place_rock(s, (uint16_t)(SCENE_FIRST_PLAIN + i), (uint8_t)(SCENE_CONVEX_SHAPES - 1 - i % SCENE_CONVEX_SHAPES), 50);
     }
 }
 
+/* Against terrain and other bodies, a floater is the circle that covers it. */
 void scene_place_floater(scene *s, uint16_t floater, tuff_vec2 position, tuff_vec2 velocity)
 {
-    const scene_shape *drawn = &s->shapes[SCENE_FLOATER_SHAPE];
     tuff_terrain *piece = &s->floaters[floater];
     s->floater_bodies[floater].position = position;
     s->floater_bodies[floater].velocity = velocity;
+    *piece = *scene_rock(SCENE_FLOATER_SHAPE);
     piece->position = position;
-    piece->radius = drawn->bounding_radius;
-    piece->bounding_radius = drawn->bounding_radius;
-    piece->parts = &s->parts[drawn->first_part];
-    piece->part_count = 1;
+    piece->radius = piece->bounding_radius;
 }
 
 void scene_place_enemy(scene *s, scene_enemy *enemy)
@@ -90,7 +90,6 @@ void scene_build_world(scene *s)
     s->world.nearby = s->nearby;
     s->world.nearby_capacity = SCENE_PIECES;
     s->world.order = TUFF_ORDER_DEEPEST;
-    scene_build_shapes(s);
     scene_build_floor(s);
     place_moon(s, SCENE_FIRST_MOON, -930);
     place_moon(s, SCENE_FIRST_MOON + 1, 930);
@@ -138,7 +137,7 @@ void scene_grow_rocks(scene *s)
         if (s->grow_in[i] == 0 || --s->grow_in[i] != 0) continue;
         uint16_t piece = (uint16_t)(SCENE_FIRST_VOLATILE + i);
         s->hits[i] = SCENE_ROCK_HITS;
-        if (scene_place_rock(s, piece, (uint8_t)(scene_random(s, 5) * 3 + 1), 200)) s->events[SCENE_EVENT_ROCKS_GROWN]++;
+        if (scene_place_rock(s, piece, medium_shape(scene_random(s, SCENE_SIZE_SHAPES)), 200)) s->events[SCENE_EVENT_ROCKS_GROWN]++;
         else s->grow_in[i] = 60;
     }
 }

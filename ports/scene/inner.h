@@ -17,7 +17,7 @@
 #define scene_vec2           TUFF_LINK_NAME(scene_vec2)
 #define scene_raw_unit2      TUFF_LINK_NAME(scene_raw_unit2)
 #define scene_toward         TUFF_LINK_NAME(scene_toward)
-#define scene_build_shapes   TUFF_LINK_NAME(scene_build_shapes)
+#define scene_rock           TUFF_LINK_NAME(scene_rock)
 #define scene_build_floor    TUFF_LINK_NAME(scene_build_floor)
 #define scene_build_world    TUFF_LINK_NAME(scene_build_world)
 #define scene_clear_spot     TUFF_LINK_NAME(scene_clear_spot)
@@ -57,7 +57,7 @@ typedef struct scene_int2 { int32_t x, y; } scene_int2;
 #define SCENE_START_Y     (-40)
 
 #define SCENE_ENEMY_RADIUS     6
-#define SCENE_FLOATER_SHAPE    0     /* the smallest octagon */
+#define SCENE_FLOATER_SHAPE    0     /* the first of the small ones */
 #define SCENE_BEAM_LENGTH      220
 #define SCENE_ROCK_HITS        4
 #define SCENE_ONE              ((int32_t)65536)   /* 1 in Q16.16 */
@@ -77,7 +77,7 @@ scene_int2 scene_raw_unit2(tuff_unit2 v);                         /* Q16.16 */
 scene_int2 scene_toward(tuff_vec2 from, tuff_vec2 to);            /* whole units */
 
 /* shapes.c */
-void scene_build_shapes(scene *s);
+const tuff_terrain *scene_rock(uint8_t shape);
 void scene_build_floor(scene *s);
 
 /* belt.c */

@@ -51,7 +51,7 @@ enum {
 /* One thing to draw, over all that came before. Coordinates, radii and widths: 1/16 unit, from the middle of the view. */
 enum { SCENE_POLYGON, SCENE_LINE, SCENE_DISC, SCENE_RING, SCENE_DOT };
 
-#define SCENE_MARK_POINTS 12
+#define SCENE_MARK_POINTS 32   /* as many as a part of a piece can have */
 #define SCENE_SOLID       16   /* the strength of a mark that hides what is below */
 
 typedef struct scene_point { int16_t x, y; } scene_point;

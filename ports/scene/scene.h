@@ -41,17 +41,12 @@
 #define SCENE_PITCH_LOG2 6     /* chunks of 64 units */
 #define SCENE_HULL       5
 
-/* Shapes are shared: convex rocks in three sizes, then the concave ones. Floor pieces have one each. */
+/* Shapes of rocks are shared and constant: five small ones, five of medium size, five large ones, three concave ones. */
 #define SCENE_CONVEX_SHAPES   15
 #define SCENE_CONCAVE_SHAPES  3
-#define SCENE_SHAPES          (SCENE_CONVEX_SHAPES + SCENE_CONCAVE_SHAPES)
-#define SCENE_PARTS           80
-#define SCENE_VERTICES        360
-
-typedef struct scene_shape {
-    uint8_t   first_part, part_count;
-    tuff_real bounding_radius;
-} scene_shape;
+#define SCENE_SIZE_SHAPES     5
+#define SCENE_MEDIUM_SHAPES   5     /* the first of them */
+#define SCENE_FLOOR_CORNERS   4
 
 typedef struct scene_enemy {
     tuff_body body;
@@ -90,11 +85,9 @@ typedef struct scene {
     uint8_t          hits[SCENE_VOLATILE_COUNT];      /* left to take by a volatile rock */
     uint16_t         grow_in[SCENE_VOLATILE_COUNT];   /* steps until a blown-up rock grows elsewhere */
 
-    scene_shape  shapes[SCENE_SHAPES];
-    tuff_polygon parts[SCENE_PARTS];
-    tuff_vec2    vertices[SCENE_VERTICES];
-    tuff_unit2   normals[SCENE_VERTICES];
-    uint16_t     part_count, vertex_count;
+    tuff_polygon floor_parts[SCENE_FLOOR_COUNT];
+    tuff_vec2    floor_vertices[SCENE_FLOOR_COUNT * SCENE_FLOOR_CORNERS];
+    tuff_unit2   floor_normals[SCENE_FLOOR_COUNT * SCENE_FLOOR_CORNERS];
 
     tuff_body    ship;
     tuff_vec2    hull_vertices[SCENE_HULL];

@@ -1,0 +1,176 @@
+/* Made by tuff_shapes. Change the picture, not this file:
+
+     python -m tuff_shapes --quiet --name large_rocks --strip 5 --model hull ports/scene/rocks/large.png -o ports/scene/rocks/large.h
+
+   72 x 72 pixels, 1 unit a pixel, y down.
+   5 pieces: 5 parts, 35 vertices, 760 bytes where pointers have 32 bits; largest error 1.81 pixels at (6.0, 41.0) of frame 4.
+
+   Use:
+     uint16_t i, first = large_rocks_first[frame], count = (uint16_t)(large_rocks_first[frame + 1] - first);
+     tuff_terrain now[LARGE_ROCKS_FRAME_PIECES];
+     for (i = 0; i < count; ++i) { now[i] = large_rocks[first + i]; now[i].position.x += x; now[i].position.y += y; }
+     tuff_floater_collide(&ship, TUFF_REAL(8.0), now, count, &ship_hull);
+     The frame's upper left corner is drawn large_rocks_origins[frame].x to the left of (x, y) and .y above. */
+#ifndef LARGE_ROCKS_SHAPES_H
+#define LARGE_ROCKS_SHAPES_H
+
+#include <tuff/tuff.h>
+
+#define LARGE_ROCKS_PITCH_LOG2 7    /* advice for the chunks: 2^7 units */
+
+/* large_rocks_0: 1 part, 8 vertices, 168 bytes; largest error 1.48 pixels at (30.0, 8.0), mean 0.55 */
+#define LARGE_ROCKS_0_PART_COUNT 1
+#define LARGE_ROCKS_0_VERTEX_COUNT 8
+#define LARGE_ROCKS_0_RADIUS TUFF_REAL_RAW(1963962)
+#define LARGE_ROCKS_0_BOUNDING_RADIUS TUFF_REAL_RAW(2179272)
+#define LARGE_ROCKS_0_ORIGIN_X TUFF_RATIO(2326, 64)
+#define LARGE_ROCKS_0_ORIGIN_Y TUFF_RATIO(2273, 64)
+#define LARGE_ROCKS_0_AT(x, y) { { (x), (y) }, LARGE_ROCKS_0_RADIUS, LARGE_ROCKS_0_BOUNDING_RADIUS, large_rocks_0_parts, LARGE_ROCKS_0_PART_COUNT }
+static const tuff_vec2 large_rocks_0_vertices[LARGE_ROCKS_0_VERTEX_COUNT] = {
+    { TUFF_RATIO(-284, 64), TUFF_RATIO(-1920, 64) }, { TUFF_RATIO(1147, 64), TUFF_RATIO(-1660, 64) },
+    { TUFF_RATIO(1913, 64), TUFF_RATIO(-550, 64) }, { TUFF_RATIO(1784, 64), TUFF_RATIO(934, 64) },
+    { TUFF_RATIO(632, 64), TUFF_RATIO(1996, 64) }, { TUFF_RATIO(-1062, 64), TUFF_RATIO(1722, 64) },
+    { TUFF_RATIO(-2117, 64), TUFF_RATIO(-218, 64) }, { TUFF_RATIO(-1508, 64), TUFF_RATIO(-1366, 64) }
+};
+static const tuff_unit2 large_rocks_0_normals[LARGE_ROCKS_0_VERTEX_COUNT] = {
+    { TUFF_UNIT_EITHER(191946842, 0.178764433f), TUFF_UNIT_EITHER(-1056445888, -0.983891904f) },
+    { TUFF_UNIT_EITHER(883738327, 0.823045433f), TUFF_UNIT_EITHER(-609859061, -0.567975521f) },
+    { TUFF_UNIT_EITHER(1069707891, 0.996243119f), TUFF_UNIT_EITHER(92986737, 0.0866006464f) },
+    { TUFF_UNIT_EITHER(727785231, 0.677802801f), TUFF_UNIT_EITHER(789461945, 0.735243738f) },
+    { TUFF_UNIT_EITHER(-171446656, -0.159672141f), TUFF_UNIT_EITHER(1059965824, 0.9871701f) },
+    { TUFF_UNIT_EITHER(-943282809, -0.878500581f), TUFF_UNIT_EITHER(512970806, 0.477741301f) },
+    { TUFF_UNIT_EITHER(-948537656, -0.883394539f), TUFF_UNIT_EITHER(-503187659, -0.468630016f) },
+    { TUFF_UNIT_EITHER(-442751421, -0.412344396f), TUFF_UNIT_EITHER(-978208916, -0.911028028f) }
+};
+static const tuff_polygon large_rocks_0_parts[LARGE_ROCKS_0_PART_COUNT] = {
+    { large_rocks_0_vertices + 0, large_rocks_0_normals + 0, 0x0u, 8 }
+};
+
+/* large_rocks_1: 1 part, 6 vertices, 136 bytes; largest error 1.52 pixels at (28.0, 62.0), mean 0.59 */
+#define LARGE_ROCKS_1_PART_COUNT 1
+#define LARGE_ROCKS_1_VERTEX_COUNT 6
+#define LARGE_ROCKS_1_RADIUS TUFF_REAL_RAW(1830425)
+#define LARGE_ROCKS_1_BOUNDING_RADIUS TUFF_REAL_RAW(2129104)
+#define LARGE_ROCKS_1_ORIGIN_X TUFF_RATIO(2282, 64)
+#define LARGE_ROCKS_1_ORIGIN_Y TUFF_RATIO(2314, 64)
+#define LARGE_ROCKS_1_AT(x, y) { { (x), (y) }, LARGE_ROCKS_1_RADIUS, LARGE_ROCKS_1_BOUNDING_RADIUS, large_rocks_1_parts, LARGE_ROCKS_1_PART_COUNT }
+static const tuff_vec2 large_rocks_1_vertices[LARGE_ROCKS_1_VERTEX_COUNT] = {
+    { TUFF_RATIO(413, 64), TUFF_RATIO(-1849, 64) }, { TUFF_RATIO(1971, 64), TUFF_RATIO(-662, 64) },
+    { TUFF_RATIO(1583, 64), TUFF_RATIO(1162, 64) }, { TUFF_RATIO(-435, 64), TUFF_RATIO(1812, 64) },
+    { TUFF_RATIO(-1912, 64), TUFF_RATIO(764, 64) }, { TUFF_RATIO(-1679, 64), TUFF_RATIO(-1064, 64) }
+};
+static const tuff_unit2 large_rocks_1_normals[LARGE_ROCKS_1_VERTEX_COUNT] = {
+    { TUFF_UNIT_EITHER(650717430, 0.606027842f), TUFF_UNIT_EITHER(-854100890, -0.795443416f) },
+    { TUFF_UNIT_EITHER(1050243218, 0.978115201f), TUFF_UNIT_EITHER(223407000, 0.20806399f) },
+    { TUFF_UNIT_EITHER(329197767, 0.306589305f), TUFF_UNIT_EITHER(1022032453, 0.951841891f) },
+    { TUFF_UNIT_EITHER(-621348547, -0.578675926f), TUFF_UNIT_EITHER(875698286, 0.815557599f) },
+    { TUFF_UNIT_EITHER(-1065124419, -0.991974413f), TUFF_UNIT_EITHER(-135762576, -0.126438752f) },
+    { TUFF_UNIT_EITHER(-377226566, -0.351319611f), TUFF_UNIT_EITHER(-1005296783, -0.936255574f) }
+};
+static const tuff_polygon large_rocks_1_parts[LARGE_ROCKS_1_PART_COUNT] = {
+    { large_rocks_1_vertices + 0, large_rocks_1_normals + 0, 0x0u, 6 }
+};
+
+/* large_rocks_2: 1 part, 9 vertices, 184 bytes; largest error 1.73 pixels at (64.0, 44.0), mean 0.52 */
+#define LARGE_ROCKS_2_PART_COUNT 1
+#define LARGE_ROCKS_2_VERTEX_COUNT 9
+#define LARGE_ROCKS_2_RADIUS TUFF_REAL_RAW(2016584)
+#define LARGE_ROCKS_2_BOUNDING_RADIUS TUFF_REAL_RAW(2152714)
+#define LARGE_ROCKS_2_ORIGIN_X TUFF_RATIO(2311, 64)
+#define LARGE_ROCKS_2_ORIGIN_Y TUFF_RATIO(2283, 64)
+#define LARGE_ROCKS_2_AT(x, y) { { (x), (y) }, LARGE_ROCKS_2_RADIUS, LARGE_ROCKS_2_BOUNDING_RADIUS, large_rocks_2_parts, LARGE_ROCKS_2_PART_COUNT }
+static const tuff_vec2 large_rocks_2_vertices[LARGE_ROCKS_2_VERTEX_COUNT] = {
+    { TUFF_RATIO(-651, 64), TUFF_RATIO(-1914, 64) }, { TUFF_RATIO(697, 64), TUFF_RATIO(-1899, 64) },
+    { TUFF_RATIO(1683, 64), TUFF_RATIO(-1150, 64) }, { TUFF_RATIO(2088, 64), TUFF_RATIO(221, 64) },
+    { TUFF_RATIO(1356, 64), TUFF_RATIO(1519, 64) }, { TUFF_RATIO(60, 64), TUFF_RATIO(2068, 64) },
+    { TUFF_RATIO(-1371, 64), TUFF_RATIO(1518, 64) }, { TUFF_RATIO(-2102, 64), TUFF_RATIO(33, 64) },
+    { TUFF_RATIO(-1697, 64), TUFF_RATIO(-1150, 64) }
+};
+static const tuff_unit2 large_rocks_2_normals[LARGE_ROCKS_2_VERTEX_COUNT] = {
+    { TUFF_UNIT_EITHER(11947426, 0.0111269075f), TUFF_UNIT_EITHER(-1073675353, -0.999938071f) },
+    { TUFF_UNIT_EITHER(649505312, 0.60489893f), TUFF_UNIT_EITHER(-855023014, -0.796302259f) },
+    { TUFF_UNIT_EITHER(1029751338, 0.959030688f), TUFF_UNIT_EITHER(-304193502, -0.283302277f) },
+    { TUFF_UNIT_EITHER(935269252, 0.871037364f), TUFF_UNIT_EITHER(527439979, 0.491216749f) },
+    { TUFF_UNIT_EITHER(418820676, 0.390057147f), TUFF_UNIT_EITHER(988691431, 0.920790672f) },
+    { TUFF_UNIT_EITHER(-385216173, -0.358760506f), TUFF_UNIT_EITHER(1002262443, 0.933429658f) },
+    { TUFF_UNIT_EITHER(-963349452, -0.897189081f), TUFF_UNIT_EITHER(474214444, 0.441646606f) },
+    { TUFF_UNIT_EITHER(-1015859690, -0.946093082f), TUFF_UNIT_EITHER(-347779522, -0.323894918f) },
+    { TUFF_UNIT_EITHER(-633317634, -0.589823008f), TUFF_UNIT_EITHER(-867081472, -0.807532549f) }
+};
+static const tuff_polygon large_rocks_2_parts[LARGE_ROCKS_2_PART_COUNT] = {
+    { large_rocks_2_vertices + 0, large_rocks_2_normals + 0, 0x0u, 9 }
+};
+
+/* large_rocks_3: 1 part, 5 vertices, 120 bytes; largest error 1.78 pixels at (37.9, 12.0), mean 0.53 */
+#define LARGE_ROCKS_3_PART_COUNT 1
+#define LARGE_ROCKS_3_VERTEX_COUNT 5
+#define LARGE_ROCKS_3_RADIUS TUFF_REAL_RAW(1722403)
+#define LARGE_ROCKS_3_BOUNDING_RADIUS TUFF_REAL_RAW(2195860)
+#define LARGE_ROCKS_3_ORIGIN_X TUFF_RATIO(2361, 64)
+#define LARGE_ROCKS_3_ORIGIN_Y TUFF_RATIO(2336, 64)
+#define LARGE_ROCKS_3_AT(x, y) { { (x), (y) }, LARGE_ROCKS_3_RADIUS, LARGE_ROCKS_3_BOUNDING_RADIUS, large_rocks_3_parts, LARGE_ROCKS_3_PART_COUNT }
+static const tuff_vec2 large_rocks_3_vertices[LARGE_ROCKS_3_VERTEX_COUNT] = {
+    { TUFF_RATIO(58, 64), TUFF_RATIO(-1694, 64) }, { TUFF_RATIO(1920, 64), TUFF_RATIO(-955, 64) },
+    { TUFF_RATIO(1241, 64), TUFF_RATIO(1402, 64) }, { TUFF_RATIO(-1216, 64), TUFF_RATIO(1518, 64) },
+    { TUFF_RATIO(-2024, 64), TUFF_RATIO(-481, 64) }
+};
+static const tuff_unit2 large_rocks_3_normals[LARGE_ROCKS_3_VERTEX_COUNT] = {
+    { TUFF_UNIT_EITHER(396096313, 0.368893445f), TUFF_UNIT_EITHER(-998012633, -0.929471672f) },
+    { TUFF_UNIT_EITHER(1031781776, 0.960921645f), TUFF_UNIT_EITHER(297233698, 0.276820451f) },
+    { TUFF_UNIT_EITHER(50637147, 0.047159519f), TUFF_UNIT_EITHER(1072547148, 0.99888736f) },
+    { TUFF_UNIT_EITHER(-995495260, -0.927127182f), TUFF_UNIT_EITHER(402381276, 0.37474677f) },
+    { TUFF_UNIT_EITHER(-540528599, -0.503406465f), TUFF_UNIT_EITHER(-927766317, -0.864049733f) }
+};
+static const tuff_polygon large_rocks_3_parts[LARGE_ROCKS_3_PART_COUNT] = {
+    { large_rocks_3_vertices + 0, large_rocks_3_normals + 0, 0x0u, 5 }
+};
+
+/* large_rocks_4: 1 part, 7 vertices, 152 bytes; largest error 1.81 pixels at (6.0, 41.0), mean 0.44 */
+#define LARGE_ROCKS_4_PART_COUNT 1
+#define LARGE_ROCKS_4_VERTEX_COUNT 7
+#define LARGE_ROCKS_4_RADIUS TUFF_REAL_RAW(1739136)
+#define LARGE_ROCKS_4_BOUNDING_RADIUS TUFF_REAL_RAW(2125269)
+#define LARGE_ROCKS_4_ORIGIN_X TUFF_RATIO(2292, 64)
+#define LARGE_ROCKS_4_ORIGIN_Y TUFF_RATIO(2264, 64)
+#define LARGE_ROCKS_4_AT(x, y) { { (x), (y) }, LARGE_ROCKS_4_RADIUS, LARGE_ROCKS_4_BOUNDING_RADIUS, large_rocks_4_parts, LARGE_ROCKS_4_PART_COUNT }
+static const tuff_vec2 large_rocks_4_vertices[LARGE_ROCKS_4_VERTEX_COUNT] = {
+    { TUFF_RATIO(-271, 64), TUFF_RATIO(-1400, 64) }, { TUFF_RATIO(1702, 64), TUFF_RATIO(-1152, 64) },
+    { TUFF_RATIO(2059, 64), TUFF_RATIO(68, 64) }, { TUFF_RATIO(1228, 64), TUFF_RATIO(1320, 64) },
+    { TUFF_RATIO(-1268, 64), TUFF_RATIO(1320, 64) }, { TUFF_RATIO(-2040, 64), TUFF_RATIO(382, 64) },
+    { TUFF_RATIO(-1819, 64), TUFF_RATIO(-883, 64) }
+};
+static const tuff_unit2 large_rocks_4_normals[LARGE_ROCKS_4_VERTEX_COUNT] = {
+    { TUFF_UNIT_EITHER(133912286, 0.124715537f), TUFF_UNIT_EITHER(-1065358627, -0.992192566f) },
+    { TUFF_UNIT_EITHER(1030526855, 0.959752917f), TUFF_UNIT_EITHER(-301555809, -0.280845731f) },
+    { TUFF_UNIT_EITHER(894614595, 0.833174765f), TUFF_UNIT_EITHER(593789719, 0.553009748f) },
+    { TUFF_UNIT_EITHER(0, 0.0f), TUFF_UNIT_EITHER(1073741824, 1.0f) },
+    { TUFF_UNIT_EITHER(-829057849, -0.772120297f), TUFF_UNIT_EITHER(682337590, 0.63547641f) },
+    { TUFF_UNIT_EITHER(-1057721608, -0.985080004f), TUFF_UNIT_EITHER(-184787728, -0.172096983f) },
+    { TUFF_UNIT_EITHER(-340139039, -0.316779166f), TUFF_UNIT_EITHER(-1018443390, -0.948499322f) }
+};
+static const tuff_polygon large_rocks_4_parts[LARGE_ROCKS_4_PART_COUNT] = {
+    { large_rocks_4_vertices + 0, large_rocks_4_normals + 0, 0x0u, 7 }
+};
+
+#define LARGE_ROCKS_FRAME_COUNT 5
+#define LARGE_ROCKS_FRAME_PIECES 1    /* the most of any frame */
+#define LARGE_ROCKS_COUNT 5
+#define LARGE_ROCKS_WIDTH TUFF_RATIO(4608, 64)
+#define LARGE_ROCKS_HEIGHT TUFF_RATIO(4608, 64)
+static const tuff_terrain large_rocks[LARGE_ROCKS_COUNT] = {
+    LARGE_ROCKS_0_AT(TUFF_WHOLE(0), TUFF_WHOLE(0)),
+    LARGE_ROCKS_1_AT(TUFF_WHOLE(0), TUFF_WHOLE(0)),
+    LARGE_ROCKS_2_AT(TUFF_WHOLE(0), TUFF_WHOLE(0)),
+    LARGE_ROCKS_3_AT(TUFF_WHOLE(0), TUFF_WHOLE(0)),
+    LARGE_ROCKS_4_AT(TUFF_WHOLE(0), TUFF_WHOLE(0))
+};
+static const uint16_t large_rocks_first[LARGE_ROCKS_FRAME_COUNT + 1] = {
+    0, 1, 2, 3, 4, 5
+};
+static const tuff_vec2 large_rocks_origins[LARGE_ROCKS_FRAME_COUNT] = {
+    { TUFF_RATIO(2326, 64), TUFF_RATIO(2273, 64) }, { TUFF_RATIO(2282, 64), TUFF_RATIO(2314, 64) },
+    { TUFF_RATIO(2311, 64), TUFF_RATIO(2283, 64) }, { TUFF_RATIO(2361, 64), TUFF_RATIO(2336, 64) },
+    { TUFF_RATIO(2292, 64), TUFF_RATIO(2264, 64) }
+};
+
+#endif

@@ -1,0 +1,176 @@
+/* Made by tuff_shapes. Change the picture, not this file:
+
+     python -m tuff_shapes --quiet --name medium_rocks --strip 5 --model hull ports/scene/rocks/medium.png -o ports/scene/rocks/medium.h
+
+   56 x 56 pixels, 1 unit a pixel, y down.
+   5 pieces: 5 parts, 35 vertices, 760 bytes where pointers have 32 bits; largest error 1.77 pixels at (10.0, 27.0) of frame 3.
+
+   Use:
+     uint16_t i, first = medium_rocks_first[frame], count = (uint16_t)(medium_rocks_first[frame + 1] - first);
+     tuff_terrain now[MEDIUM_ROCKS_FRAME_PIECES];
+     for (i = 0; i < count; ++i) { now[i] = medium_rocks[first + i]; now[i].position.x += x; now[i].position.y += y; }
+     tuff_floater_collide(&ship, TUFF_REAL(8.0), now, count, &ship_hull);
+     The frame's upper left corner is drawn medium_rocks_origins[frame].x to the left of (x, y) and .y above. */
+#ifndef MEDIUM_ROCKS_SHAPES_H
+#define MEDIUM_ROCKS_SHAPES_H
+
+#include <tuff/tuff.h>
+
+#define MEDIUM_ROCKS_PITCH_LOG2 6    /* advice for the chunks: 2^6 units */
+
+/* medium_rocks_0: 1 part, 8 vertices, 168 bytes; largest error 1.45 pixels at (40.0, 43.0), mean 0.53 */
+#define MEDIUM_ROCKS_0_PART_COUNT 1
+#define MEDIUM_ROCKS_0_VERTEX_COUNT 8
+#define MEDIUM_ROCKS_0_RADIUS TUFF_REAL_RAW(1475245)
+#define MEDIUM_ROCKS_0_BOUNDING_RADIUS TUFF_REAL_RAW(1637428)
+#define MEDIUM_ROCKS_0_ORIGIN_X TUFF_RATIO(1772, 64)
+#define MEDIUM_ROCKS_0_ORIGIN_Y TUFF_RATIO(1771, 64)
+#define MEDIUM_ROCKS_0_AT(x, y) { { (x), (y) }, MEDIUM_ROCKS_0_RADIUS, MEDIUM_ROCKS_0_BOUNDING_RADIUS, medium_rocks_0_parts, MEDIUM_ROCKS_0_PART_COUNT }
+static const tuff_vec2 medium_rocks_0_vertices[MEDIUM_ROCKS_0_VERTEX_COUNT] = {
+    { TUFF_RATIO(-368, 64), TUFF_RATIO(-1466, 64) }, { TUFF_RATIO(731, 64), TUFF_RATIO(-1337, 64) },
+    { TUFF_RATIO(1443, 64), TUFF_RATIO(-496, 64) }, { TUFF_RATIO(1328, 64), TUFF_RATIO(804, 64) },
+    { TUFF_RATIO(-179, 64), TUFF_RATIO(1589, 64) }, { TUFF_RATIO(-1018, 64), TUFF_RATIO(1140, 64) },
+    { TUFF_RATIO(-1435, 64), TUFF_RATIO(218, 64) }, { TUFF_RATIO(-1221, 64), TUFF_RATIO(-894, 64) }
+};
+static const tuff_unit2 medium_rocks_0_normals[MEDIUM_ROCKS_0_VERTEX_COUNT] = {
+    { TUFF_UNIT_EITHER(125175828, 0.116579071f), TUFF_UNIT_EITHER(-1066420422, -0.993181407f) },
+    { TUFF_UNIT_EITHER(819494948, 0.763214171f), TUFF_UNIT_EITHER(-693793582, -0.646145642f) },
+    { TUFF_UNIT_EITHER(1069565069, 0.996110082f), TUFF_UNIT_EITHER(94615371, 0.0881174281f) },
+    { TUFF_UNIT_EITHER(496050083, 0.461982638f), TUFF_UNIT_EITHER(952289777, 0.886888981f) },
+    { TUFF_UNIT_EITHER(-506636772, -0.471842259f), TUFF_UNIT_EITHER(946699892, 0.881682992f) },
+    { TUFF_UNIT_EITHER(-978332629, -0.911143243f), TUFF_UNIT_EITHER(442477990, 0.412089735f) },
+    { TUFF_UNIT_EITHER(-1054394331, -0.981981218f), TUFF_UNIT_EITHER(-202914017, -0.188978404f) },
+    { TUFF_UNIT_EITHER(-598015278, -0.556945145f), TUFF_UNIT_EITHER(-891795510, -0.8305493f) }
+};
+static const tuff_polygon medium_rocks_0_parts[MEDIUM_ROCKS_0_PART_COUNT] = {
+    { medium_rocks_0_vertices + 0, medium_rocks_0_normals + 0, 0x0u, 8 }
+};
+
+/* medium_rocks_1: 1 part, 6 vertices, 136 bytes; largest error 1.76 pixels at (39.0, 46.0), mean 0.49 */
+#define MEDIUM_ROCKS_1_PART_COUNT 1
+#define MEDIUM_ROCKS_1_VERTEX_COUNT 6
+#define MEDIUM_ROCKS_1_RADIUS TUFF_REAL_RAW(1374335)
+#define MEDIUM_ROCKS_1_BOUNDING_RADIUS TUFF_REAL_RAW(1602059)
+#define MEDIUM_ROCKS_1_ORIGIN_X TUFF_RATIO(1819, 64)
+#define MEDIUM_ROCKS_1_ORIGIN_Y TUFF_RATIO(1802, 64)
+#define MEDIUM_ROCKS_1_AT(x, y) { { (x), (y) }, MEDIUM_ROCKS_1_RADIUS, MEDIUM_ROCKS_1_BOUNDING_RADIUS, medium_rocks_1_parts, MEDIUM_ROCKS_1_PART_COUNT }
+static const tuff_vec2 medium_rocks_1_vertices[MEDIUM_ROCKS_1_VERTEX_COUNT] = {
+    { TUFF_RATIO(-557, 64), TUFF_RATIO(-1462, 64) }, { TUFF_RATIO(851, 64), TUFF_RATIO(-1223, 64) },
+    { TUFF_RATIO(1348, 64), TUFF_RATIO(317, 64) }, { TUFF_RATIO(627, 64), TUFF_RATIO(1426, 64) },
+    { TUFF_RATIO(-835, 64), TUFF_RATIO(1255, 64) }, { TUFF_RATIO(-1354, 64), TUFF_RATIO(-339, 64) }
+};
+static const tuff_unit2 medium_rocks_1_normals[MEDIUM_ROCKS_1_VERTEX_COUNT] = {
+    { TUFF_UNIT_EITHER(179691224, 0.167350486f), TUFF_UNIT_EITHER(-1058599343, -0.985897481f) },
+    { TUFF_UNIT_EITHER(1021845561, 0.951667845f), TUFF_UNIT_EITHER(-329777431, -0.307129174f) },
+    { TUFF_UNIT_EITHER(900216336, 0.838391781f), TUFF_UNIT_EITHER(585262379, 0.545068085f) },
+    { TUFF_UNIT_EITHER(-124737803, -0.116171129f), TUFF_UNIT_EITHER(1066471746, 0.99322921f) },
+    { TUFF_UNIT_EITHER(-1020986040, -0.950867355f), TUFF_UNIT_EITHER(332428955, 0.309598595f) },
+    { TUFF_UNIT_EITHER(-875632258, -0.815496087f), TUFF_UNIT_EITHER(-621441593, -0.578762591f) }
+};
+static const tuff_polygon medium_rocks_1_parts[MEDIUM_ROCKS_1_PART_COUNT] = {
+    { medium_rocks_1_vertices + 0, medium_rocks_1_normals + 0, 0x0u, 6 }
+};
+
+/* medium_rocks_2: 1 part, 9 vertices, 184 bytes; largest error 1.43 pixels at (45.0, 14.0), mean 0.51 */
+#define MEDIUM_ROCKS_2_PART_COUNT 1
+#define MEDIUM_ROCKS_2_VERTEX_COUNT 9
+#define MEDIUM_ROCKS_2_RADIUS TUFF_REAL_RAW(1521488)
+#define MEDIUM_ROCKS_2_BOUNDING_RADIUS TUFF_REAL_RAW(1617601)
+#define MEDIUM_ROCKS_2_ORIGIN_X TUFF_RATIO(1781, 64)
+#define MEDIUM_ROCKS_2_ORIGIN_Y TUFF_RATIO(1788, 64)
+#define MEDIUM_ROCKS_2_AT(x, y) { { (x), (y) }, MEDIUM_ROCKS_2_RADIUS, MEDIUM_ROCKS_2_BOUNDING_RADIUS, medium_rocks_2_parts, MEDIUM_ROCKS_2_PART_COUNT }
+static const tuff_vec2 medium_rocks_2_vertices[MEDIUM_ROCKS_2_VERTEX_COUNT] = {
+    { TUFF_RATIO(119, 64), TUFF_RATIO(-1564, 64) }, { TUFF_RATIO(1135, 64), TUFF_RATIO(-1051, 64) },
+    { TUFF_RATIO(1578, 64), TUFF_RATIO(73, 64) }, { TUFF_RATIO(1056, 64), TUFF_RATIO(1116, 64) },
+    { TUFF_RATIO(14, 64), TUFF_RATIO(1571, 64) }, { TUFF_RATIO(-830, 64), TUFF_RATIO(1297, 64) },
+    { TUFF_RATIO(-1397, 64), TUFF_RATIO(580, 64) }, { TUFF_RATIO(-1476, 64), TUFF_RATIO(-513, 64) },
+    { TUFF_RATIO(-829, 64), TUFF_RATIO(-1289, 64) }
+};
+static const tuff_unit2 medium_rocks_2_normals[MEDIUM_ROCKS_2_VERTEX_COUNT] = {
+    { TUFF_UNIT_EITHER(483961816, 0.450724572f), TUFF_UNIT_EITHER(-958489679, -0.892663062f) },
+    { TUFF_UNIT_EITHER(998954102, 0.930348516f), TUFF_UNIT_EITHER(-393715896, -0.366676509f) },
+    { TUFF_UNIT_EITHER(960199690, 0.894255638f), TUFF_UNIT_EITHER(480560152, 0.447556525f) },
+    { TUFF_UNIT_EITHER(429682279, 0.4001728f), TUFF_UNIT_EITHER(984019636, 0.916439712f) },
+    { TUFF_UNIT_EITHER(-331550295, -0.308780283f), TUFF_UNIT_EITHER(1021271711, 0.95113337f) },
+    { TUFF_UNIT_EITHER(-842219955, -0.784378469f), TUFF_UNIT_EITHER(666023312, 0.620282531f) },
+    { TUFF_UNIT_EITHER(-1070948083, -0.997398138f), TUFF_UNIT_EITHER(77406129, 0.0720900744f) },
+    { TUFF_UNIT_EITHER(-824697070, -0.768059015f), TUFF_UNIT_EITHER(-687601809, -0.640379071f) },
+    { TUFF_UNIT_EITHER(-299143623, -0.278599203f), TUFF_UNIT_EITHER(-1031229653, -0.960407436f) }
+};
+static const tuff_polygon medium_rocks_2_parts[MEDIUM_ROCKS_2_PART_COUNT] = {
+    { medium_rocks_2_vertices + 0, medium_rocks_2_normals + 0, 0x0u, 9 }
+};
+
+/* medium_rocks_3: 1 part, 5 vertices, 120 bytes; largest error 1.77 pixels at (10.0, 27.0), mean 0.47 */
+#define MEDIUM_ROCKS_3_PART_COUNT 1
+#define MEDIUM_ROCKS_3_VERTEX_COUNT 5
+#define MEDIUM_ROCKS_3_RADIUS TUFF_REAL_RAW(1300451)
+#define MEDIUM_ROCKS_3_BOUNDING_RADIUS TUFF_REAL_RAW(1640872)
+#define MEDIUM_ROCKS_3_ORIGIN_X TUFF_RATIO(1807, 64)
+#define MEDIUM_ROCKS_3_ORIGIN_Y TUFF_RATIO(1745, 64)
+#define MEDIUM_ROCKS_3_AT(x, y) { { (x), (y) }, MEDIUM_ROCKS_3_RADIUS, MEDIUM_ROCKS_3_BOUNDING_RADIUS, medium_rocks_3_parts, MEDIUM_ROCKS_3_PART_COUNT }
+static const tuff_vec2 medium_rocks_3_vertices[MEDIUM_ROCKS_3_VERTEX_COUNT] = {
+    { TUFF_RATIO(-752, 64), TUFF_RATIO(-1415, 64) }, { TUFF_RATIO(1055, 64), TUFF_RATIO(-956, 64) },
+    { TUFF_RATIO(1166, 64), TUFF_RATIO(893, 64) }, { TUFF_RATIO(-340, 64), TUFF_RATIO(1518, 64) },
+    { TUFF_RATIO(-1293, 64), TUFF_RATIO(-2, 64) }
+};
+static const tuff_unit2 medium_rocks_3_normals[MEDIUM_ROCKS_3_VERTEX_COUNT] = {
+    { TUFF_UNIT_EITHER(264348618, 0.246193841f), TUFF_UNIT_EITHER(-1040692708, -0.969220638f) },
+    { TUFF_UNIT_EITHER(1071812212, 0.99820292f), TUFF_UNIT_EITHER(-64343513, -0.0599245653f) },
+    { TUFF_UNIT_EITHER(411574448, 0.383308589f), TUFF_UNIT_EITHER(991729791, 0.923620343f) },
+    { TUFF_UNIT_EITHER(-909723361, -0.847245932f), TUFF_UNIT_EITHER(570372607, 0.531200886f) },
+    { TUFF_UNIT_EITHER(-1002756349, -0.933889627f), TUFF_UNIT_EITHER(-383928652, -0.357561409f) }
+};
+static const tuff_polygon medium_rocks_3_parts[MEDIUM_ROCKS_3_PART_COUNT] = {
+    { medium_rocks_3_vertices + 0, medium_rocks_3_normals + 0, 0x0u, 5 }
+};
+
+/* medium_rocks_4: 1 part, 7 vertices, 152 bytes; largest error 1.43 pixels at (13.0, 27.0), mean 0.44 */
+#define MEDIUM_ROCKS_4_PART_COUNT 1
+#define MEDIUM_ROCKS_4_VERTEX_COUNT 7
+#define MEDIUM_ROCKS_4_RADIUS TUFF_REAL_RAW(1309754)
+#define MEDIUM_ROCKS_4_BOUNDING_RADIUS TUFF_REAL_RAW(1606079)
+#define MEDIUM_ROCKS_4_ORIGIN_X TUFF_RATIO(1758, 64)
+#define MEDIUM_ROCKS_4_ORIGIN_Y TUFF_RATIO(1808, 64)
+#define MEDIUM_ROCKS_4_AT(x, y) { { (x), (y) }, MEDIUM_ROCKS_4_RADIUS, MEDIUM_ROCKS_4_BOUNDING_RADIUS, medium_rocks_4_parts, MEDIUM_ROCKS_4_PART_COUNT }
+static const tuff_vec2 medium_rocks_4_vertices[MEDIUM_ROCKS_4_VERTEX_COUNT] = {
+    { TUFF_RATIO(37, 64), TUFF_RATIO(-1568, 64) }, { TUFF_RATIO(985, 64), TUFF_RATIO(-923, 64) },
+    { TUFF_RATIO(994, 64), TUFF_RATIO(1008, 64) }, { TUFF_RATIO(230, 64), TUFF_RATIO(1535, 64) },
+    { TUFF_RATIO(-681, 64), TUFF_RATIO(1339, 64) }, { TUFF_RATIO(-1070, 64), TUFF_RATIO(240, 64) },
+    { TUFF_RATIO(-819, 64), TUFF_RATIO(-1320, 64) }
+};
+static const tuff_unit2 medium_rocks_4_normals[MEDIUM_ROCKS_4_VERTEX_COUNT] = {
+    { TUFF_UNIT_EITHER(604006293, 0.562524676f), TUFF_UNIT_EITHER(-887748784, -0.826780498f) },
+    { TUFF_UNIT_EITHER(1073730162, 0.999989152f), TUFF_UNIT_EITHER(-5004439, -0.00466074701f) },
+    { TUFF_UNIT_EITHER(609679720, 0.567808509f), TUFF_UNIT_EITHER(883862061, 0.823160708f) },
+    { TUFF_UNIT_EITHER(-225845680, -0.21033518f), TUFF_UNIT_EITHER(1049721503, 0.977629304f) },
+    { TUFF_UNIT_EITHER(-1012204680, -0.942689061f), TUFF_UNIT_EITHER(358278090, 0.333672464f) },
+    { TUFF_UNIT_EITHER(-1060107478, -0.987302005f), TUFF_UNIT_EITHER(-170568575, -0.158854365f) },
+    { TUFF_UNIT_EITHER(-298796615, -0.278276026f), TUFF_UNIT_EITHER(-1031330251, -0.960501134f) }
+};
+static const tuff_polygon medium_rocks_4_parts[MEDIUM_ROCKS_4_PART_COUNT] = {
+    { medium_rocks_4_vertices + 0, medium_rocks_4_normals + 0, 0x0u, 7 }
+};
+
+#define MEDIUM_ROCKS_FRAME_COUNT 5
+#define MEDIUM_ROCKS_FRAME_PIECES 1    /* the most of any frame */
+#define MEDIUM_ROCKS_COUNT 5
+#define MEDIUM_ROCKS_WIDTH TUFF_RATIO(3584, 64)
+#define MEDIUM_ROCKS_HEIGHT TUFF_RATIO(3584, 64)
+static const tuff_terrain medium_rocks[MEDIUM_ROCKS_COUNT] = {
+    MEDIUM_ROCKS_0_AT(TUFF_WHOLE(0), TUFF_WHOLE(0)),
+    MEDIUM_ROCKS_1_AT(TUFF_WHOLE(0), TUFF_WHOLE(0)),
+    MEDIUM_ROCKS_2_AT(TUFF_WHOLE(0), TUFF_WHOLE(0)),
+    MEDIUM_ROCKS_3_AT(TUFF_WHOLE(0), TUFF_WHOLE(0)),
+    MEDIUM_ROCKS_4_AT(TUFF_WHOLE(0), TUFF_WHOLE(0))
+};
+static const uint16_t medium_rocks_first[MEDIUM_ROCKS_FRAME_COUNT + 1] = {
+    0, 1, 2, 3, 4, 5
+};
+static const tuff_vec2 medium_rocks_origins[MEDIUM_ROCKS_FRAME_COUNT] = {
+    { TUFF_RATIO(1772, 64), TUFF_RATIO(1771, 64) }, { TUFF_RATIO(1819, 64), TUFF_RATIO(1802, 64) },
+    { TUFF_RATIO(1781, 64), TUFF_RATIO(1788, 64) }, { TUFF_RATIO(1807, 64), TUFF_RATIO(1745, 64) },
+    { TUFF_RATIO(1758, 64), TUFF_RATIO(1808, 64) }
+};
+
+#endif
