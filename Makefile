@@ -3,7 +3,7 @@
 #
 # Builds both libraries, the demo and the tests; `make help` lists the targets. Everything built goes under $(BUILD).
 # The lists of sources are shared with CMakeLists.txt: src/sources.list, ports/desktop/demo.list, tests/unit/tests.list,
-# tests/host/tests.list. Works with GNU make 3.81 and later.
+# tests/host/tests.list, tests/bench/bench.list. Works with GNU make 3.81 and later.
 
 ## Variables:
 ##   PREFIX=/usr/local  DESTDIR=   where install puts things; LIBDIR=lib is a name below PREFIX
@@ -65,7 +65,8 @@ SHAPES      := PYTHONPATH=tools/shapes $(SHAPE_TOOLS)/bin/python -m tuff_shapes
 
 # ---- Targets that people call
 
-.PHONY: all demo demo-program test picture shapes shape-tools rocks-draw install help clean check-symbols FORCE
+.PHONY: all demo demo-program test bench bench-program gate-program bench-models chart picture shapes shape-tools rocks-draw install help clean
+.PHONY: check-symbols FORCE
 .DELETE_ON_ERROR:
 .SECONDARY:
 
@@ -78,6 +79,21 @@ demo-program: $(BUILD)/tuff-demo ## build the demo only: build/tuff-demo
 
 test: ## get what the tests need (says what it installs), build and run all of them
 	@MAKE='$(MAKE_COMMAND)' CC='$(CC)' CXX='$(CXX)' NM='$(NM)' UNITY_DIR='$(abspath $(UNITY_DIR))' scripts/run-tests
+
+bench: ## measure speed and accuracy against Box2D, Chipmunk2D and the textbook: build/bench/*.csv and a table
+	@MAKE='$(MAKE_COMMAND)' CC='$(CC)' CXX='$(CXX)' BUILD='$(BUILD)' scripts/run-bench
+
+bench-program: $(BUILD)/tuff-bench ## build the bench program only: build/tuff-bench
+
+gate-program: $(BUILD)/tuff-gate
+
+bench-models: $(SHAPE_TOOLS)/ready ## measure what models of an outline cost and buy: build/bench/models.csv (Python 3.11)
+	@scripts/get-bench-tools
+	@$(MAKE) --no-print-directory CFLAGS=-O2 $(BUILD)/bench-models
+	@PYTHONPATH=tools/shapes $(SHAPE_TOOLS)/bin/python tests/bench/models.py $(BUILD)/bench-models $(ROCKS) $(BUILD)/bench/models.csv
+
+chart: $(SHAPE_TOOLS)/ready ## draw docs/charts from the tables that bench and bench-models made (Python 3.11)
+	@$(SHAPE_TOOLS)/bin/python tests/bench/chart.py $(BUILD)/bench docs/charts
 
 check-symbols: $(LIBRARIES) ## show that the libraries hold no mutable data, and the fixed one no float
 	@NM='$(NM)' CC='$(CC)' scripts/check-symbols $(BUILD)
@@ -142,6 +158,14 @@ $(BUILD)/make/$(1)/$(2)/$(3)/%.o: $(3)/%.c $(BUILD)/make/flags
 	$$(Q)$$(CC) $$(CPPFLAGS) $$(VARIANT_$(1)) $$(C_FLAGS) $(SCALAR_$(2)) $(4) -c $$< -o $$@
 endef
 
+# $(call compile_cxx,variant,folder): the rule for all C++ files below folder, which are not compiled for one scalar
+define compile_cxx
+$(BUILD)/make/$(1)/once/$(2)/%.o: $(2)/%.cpp $(BUILD)/make/flags
+	@mkdir -p $$(@D)
+	$$(call say,CXX,$$@)
+	$$(Q)$$(CXX) $$(CPPFLAGS) $$(CXXFLAGS) $$(if $$(filter sanitized,$(1)),$$(SANITIZE)) $$(CXX_FLAGS) $(HOST_FLAGS) -c $$< -o $$@
+endef
+
 # $(call archive,file,objects,list): made anew when the list, or the folder, has changed
 define archive
 $(1): $(2) $(3)
@@ -164,6 +188,7 @@ $(call compile,$(1),$(2),src,-Isrc)
 $(call compile,$(1),$(2),ports,$(DEMO))
 $(call compile,$(1),$(2),tests/unit,$(UNIT_FLAGS))
 $(call compile,$(1),$(2),tests/host,$(HOST_FLAGS))
+$(call compile,$(1),$(2),tests/bench,$(HOST_FLAGS) -D_POSIX_C_SOURCE=200809L)
 $(call archive,$(call library,$(1),$(2)),$(call objects,$(1),$(2),$(SOURCES)),src/sources.list)
 $(call archive,$(BUILD)/make/$(1)/libhost-$(2).a,$(call objects,$(1),$(2),$(HOST_HELP)),tests/host)
 
@@ -188,12 +213,11 @@ HOST_LIBRARIES := -lcmocka -lbox2d -lquadmath -lm
 define build_once
 $(call compile,$(1),once,ports,$(DEMO))
 $(call compile,$(1),once,tests/host,$(HOST_FLAGS))
+$(call compile,$(1),once,tests/bench,$(HOST_FLAGS))
 $(call archive,$(BUILD)/make/$(1)/libhost-cxx.a,$(call objects,$(1),once,$(HOST_CXX)),tests/host)
 
-$(BUILD)/make/$(1)/once/tests/host/%.o: tests/host/%.cpp $(BUILD)/make/flags
-	@mkdir -p $$(@D)
-	$$(call say,CXX,$$@)
-	$$(Q)$$(CXX) $$(CPPFLAGS) $$(CXXFLAGS) $$(if $$(filter sanitized,$(1)),$$(SANITIZE)) $$(CXX_FLAGS) -c $$< -o $$@
+$(call compile_cxx,$(1),tests/host)
+$(call compile_cxx,$(1),tests/bench)
 
 $(BUILD)/make/$(1)/unity.o: $(UNITY_DIR)/src/unity.c $(BUILD)/make/flags
 	@mkdir -p $$(@D)
@@ -228,6 +252,27 @@ $(ROCKS)/%.h: $(ROCKS)/%.png
 	$(call say,ROCK,$@)
 	$(Q)$(SHAPES) $(ROCK_OPTIONS) $< -o $@
 endif
+
+# $(call bench_objects,program): what tests/bench/bench.list names for bench, gate or models
+bench_names   = $(patsubst %,tests/bench/%,$(call lines,tests/bench/bench.list,-n -e 's/^$(1) $(2) //p'))
+bench_objects = $(call objects,plain,once,$(call bench_names,$(1),once)) $(call objects,plain,q16,$(call bench_names,$(1),fixed)) \
+    $(foreach s,$(SCALARS),$(call objects,plain,$(s),$(call bench_names,$(1),each)))
+BENCH_OBJECTS   := $(call bench_objects,bench)
+GATE_OBJECTS    := $(call bench_objects,gate)
+MODEL_OBJECTS   := $(call bench_objects,models)
+BENCH_LIBRARIES := $(LIBRARIES) $(BUILD)/make/plain/libhost-q16.a $(BUILD)/make/plain/libhost-cxx.a
+
+$(BUILD)/tuff-bench: $(BENCH_OBJECTS) $(BENCH_LIBRARIES) tests/bench/bench.list
+	$(call say,LINK,$@)
+	$(Q)$(CXX) $(CFLAGS) $(LDFLAGS) $(BENCH_OBJECTS) $(BENCH_LIBRARIES) -lbox2d -lchipmunk -lquadmath -lm -o $@
+
+$(BUILD)/tuff-gate: $(GATE_OBJECTS) $(BENCH_LIBRARIES) tests/bench/bench.list
+	$(call say,LINK,$@)
+	$(Q)$(CC) $(CFLAGS) $(LDFLAGS) $(GATE_OBJECTS) $(BENCH_LIBRARIES) -lquadmath -lm -o $@
+
+$(BUILD)/bench-models: $(MODEL_OBJECTS) $(LIBRARIES) tests/bench/bench.list
+	$(call say,LINK,$@)
+	$(Q)$(CC) $(CFLAGS) $(LDFLAGS) $(MODEL_OBJECTS) $(LIBRARIES) -lm -o $@
 
 $(UNITY_DIR)/src/unity.c:
 	scripts/get-unity '$(UNITY_DIR)'
