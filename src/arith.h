@@ -19,9 +19,9 @@
      tuff_floor, tuff_ceil           whole units
      tuff_position_ok, tuff_velocity_ok, tuff_number_ok, tuff_normal_ok
      tuff_residue                    what a push may leave of an overlap
-     tuff_area_add                   where terms of bad shapes may be huge
-     tuff_far_sub, tuff_far_dot, tuff_far_cross, tuff_far_cross_near, tuff_edge_side,
-     tuff_seam_margin, tuff_far_inside     beams */
+     tuff_area_sub, tuff_wide_add    where terms of bad shapes may be huge
+     tuff_far_sub, tuff_far_dot, tuff_far_cross, tuff_far_cross_near, tuff_edge_outside,
+     tuff_turns_forward, tuff_seam_margin, tuff_far_inside     beams */
 #ifndef TUFF_ARITH_H
 #define TUFF_ARITH_H
 

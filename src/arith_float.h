@@ -17,7 +17,8 @@ typedef float tuff_far;
 #define TUFF_UNIT_ONE     1.0f
 #define TUFF_TINY         3.5527137e-15f      /* 2^-48 */
 
-static inline float tuff_abs(float a)   { return a < 0.0f ? -a : a; }
+/* Without a branch where the CPU has a maximum. */
+static inline float tuff_abs(float a)   { return a > -a ? a : -a; }
 
 static inline float tuff_clamp(float a, float limit)
 {
@@ -25,7 +26,7 @@ static inline float tuff_clamp(float a, float limit)
 }
 
 /* Zero for whatever is too small to matter. */
-static inline float tuff_flush(float a) { return a < TUFF_TINY && a > -TUFF_TINY ? 0.0f : a; }
+static inline float tuff_flush(float a) { return tuff_abs(a) < TUFF_TINY ? 0.0f : a; }
 
 static inline tuff_vec2 tuff_vec2_flush(tuff_vec2 a)
 {
@@ -67,7 +68,8 @@ static inline tuff_wide tuff_project(tuff_unit2 n, tuff_vec2 v) { return n.x * v
 static inline tuff_wide tuff_facing(tuff_unit2 a, tuff_unit2 b) { return a.x * b.x + a.y * b.y; }
 static inline tuff_area tuff_dot(tuff_vec2 a, tuff_vec2 b)      { return a.x * b.x + a.y * b.y; }
 static inline tuff_area tuff_cross(tuff_vec2 a, tuff_vec2 b)    { return a.x * b.y - a.y * b.x; }
-static inline tuff_area tuff_area_add(tuff_area a, tuff_area b) { return a + b; }
+static inline tuff_area tuff_area_sub(tuff_area a, tuff_area b) { return a - b; }
+static inline tuff_wide tuff_wide_add(tuff_wide a, tuff_wide b) { return a + b; }
 static inline tuff_area tuff_square_of(tuff_real a)             { return a * a; }
 static inline tuff_wide tuff_widen(tuff_real a)                 { return a; }
 static inline tuff_real tuff_narrow(tuff_wide a)                { return a; }
@@ -104,13 +106,19 @@ static inline int32_t tuff_floor(tuff_real a)
 
 static inline int32_t tuff_ceil(tuff_real a) { return -tuff_floor(0.0f - tuff_flush(a)); }
 
+/* Within a square about the origin? False for NaN. */
+static inline bool tuff_in_box(tuff_vec2 a, tuff_real limit)
+{
+    return tuff_abs(a.x) < limit && tuff_abs(a.y) < limit;
+}
+
 /* a - b if it lies inside the open circle of this radius; else false, for NaN too. */
 static inline bool tuff_offset_within(tuff_vec2 a, tuff_vec2 b, tuff_real radius, tuff_vec2 *offset)
 {
-    tuff_vec2 d = tuff_vec2_gap(a, b);
-    if (!(tuff_abs(d.x) < radius && tuff_abs(d.y) < radius)) return false;
-    *offset = d;
-    return tuff_dot(d, d) < tuff_square_of(radius);
+    tuff_vec2 d = tuff_vec2_sub(a, b);
+    if (!tuff_in_box(d, radius)) return false;
+    *offset = tuff_vec2_flush(d);
+    return tuff_dot(*offset, *offset) < tuff_square_of(radius);
 }
 
 /* Do the closed circles about a and b touch? */
@@ -135,27 +143,37 @@ typedef tuff_vec2 tuff_far2;
 static inline tuff_far2 tuff_far_sub(tuff_vec2 a, tuff_vec2 b)          { return tuff_vec2_gap(a, b); }
 static inline float tuff_far_dot(tuff_far2 a, tuff_far2 b)              { return tuff_dot(a, b); }
 static inline float tuff_far_cross(tuff_far2 a, tuff_far2 b)            { return tuff_cross(a, b); }
-static inline float tuff_far_cross_near(tuff_far2 d, tuff_vec2 v)       { return tuff_cross(d, v); }
 
-/* (to - from) x (p - from): positive where p lies to the left of the edge. Always reckoned from the lesser end, so
-   that the two parts that share an edge get the same number with opposite signs, and no beam slips between them. */
-static inline float tuff_edge_side(tuff_far2 p, tuff_vec2 from, tuff_vec2 to)
+/* d x p for every p of the line through a and b, by their middle: it is the same from either end, and near the obstacle
+   where both ends are far. */
+static inline float tuff_line_across(tuff_far2 d, tuff_far2 a, tuff_far2 b)
 {
-    bool ascending = from.x < to.x || (from.x == to.x && from.y <= to.y);
-    tuff_vec2 base = ascending ? from : to;
-    float side = tuff_cross(tuff_vec2_gap(ascending ? to : from, base), tuff_vec2_gap(p, base));
-    return ascending ? side : -side;
+    tuff_vec2 middle = { tuff_flush(a.x + b.x) * 0.5f, tuff_flush(a.y + b.y) * 0.5f };
+    return tuff_cross(d, middle);
 }
 
-/* How far, as tuff_edge_side counts, parts reach beyond the inner edge that they share, so that the line's and the edge's
-   rounding cannot both miss a beam along it: 2^-11 units, or 2^-22 of the beam's length if that is more. */
-static inline tuff_area tuff_seam_margin(tuff_far2 d, tuff_vec2 from, tuff_vec2 to)
+static inline float tuff_far_cross_near(tuff_far2 d, tuff_vec2 v)       { return tuff_cross(d, v); }
+
+/* How far p lies outside of edge i. */
+static inline tuff_area tuff_edge_outside(const tuff_polygon *polygon, uint8_t i, bool forward, tuff_far2 p)
+{
+    (void)forward;
+    return tuff_project(polygon->normals[i], tuff_vec2_sub(p, polygon->vertices[i]));
+}
+
+/* The normals tell. */
+static inline bool tuff_turns_forward(const tuff_polygon *polygon)
+{
+    (void)polygon;
+    return true;
+}
+
+/* How far parts reach beyond the inner edge that they share, so that the line's and the edge's rounding cannot both miss a
+   beam along it: 2^-11 units, or 2^-22 of the beam's length if that is more. */
+static inline tuff_area tuff_seam_margin(tuff_far2 d)
 {
     float length = tuff_abs(d.x) + tuff_abs(d.y);
-    float margin = length > 2048.0f ? length * 2.3841858e-7f : 4.8828125e-4f;
-    float x = tuff_abs(to.x - from.x);
-    float y = tuff_abs(to.y - from.y);
-    return margin * (x > y ? x : y);
+    return length > 2048.0f ? length * 2.3841858e-7f : 4.8828125e-4f;
 }
 
 /* Is p inside the closed disc about the origin? */

@@ -64,7 +64,8 @@ static inline tuff_area tuff_dot(tuff_vec2 a, tuff_vec2 b)         { return tuff
 static inline tuff_area tuff_square_of(tuff_real a)                { return (int64_t)a * a; }
 static inline tuff_wide tuff_widen(tuff_real a)                    { return (int64_t)a * TUFF_UNIT_ONE; }
 
-static inline tuff_area tuff_area_add(tuff_area a, tuff_area b)    { return (int64_t)((uint64_t)a + (uint64_t)b); }
+static inline tuff_area tuff_area_sub(tuff_area a, tuff_area b)    { return (int64_t)((uint64_t)a - (uint64_t)b); }
+static inline tuff_wide tuff_wide_add(tuff_wide a, tuff_wide b)    { return (int64_t)((uint64_t)a + (uint64_t)b); }
 
 /* a x b: 64 bits, exact for |components| < 2^31. */
 static inline tuff_area tuff_cross(tuff_vec2 a, tuff_vec2 b)
@@ -106,6 +107,12 @@ static inline tuff_real tuff_residue(tuff_vec2 position, tuff_real size)
 /* Whole units below and above. */
 static inline int32_t tuff_floor(tuff_real a) { return a >> TUFF_REAL_BITS; }
 static inline int32_t tuff_ceil(tuff_real a)  { return (int32_t)(((int64_t)a + 65535) >> TUFF_REAL_BITS); }
+
+/* Within a square about the origin? */
+static inline bool tuff_in_box(tuff_vec2 a, tuff_real limit)
+{
+    return a.x < limit && a.x > -limit && a.y < limit && a.y > -limit;
+}
 
 /* a - b if it lies inside the open circle of this radius (0 .. 2 * TUFF_MAX_BOUNDING_RADIUS); else false. The box
    first: it keeps the squares within 64 bits. */
@@ -166,26 +173,37 @@ static inline int64_t tuff_far_sum(int64_t a, int64_t b, int64_t c, int64_t d)
 static inline int64_t tuff_far_dot(tuff_far2 a, tuff_far2 b)   { return tuff_far_sum(a.x, b.x, a.y, b.y); }
 static inline int64_t tuff_far_cross(tuff_far2 a, tuff_far2 b) { return tuff_far_sum(a.x, b.y, -a.y, b.x); }
 
+/* d x p for every p of the line through a and b. */
+static inline int64_t tuff_line_across(tuff_far2 d, tuff_far2 a, tuff_far2 b)
+{
+    (void)b;
+    return tuff_far_cross(d, a);
+}
+
 /* d x v: 33 and 27 bits. */
 static inline int64_t tuff_far_cross_near(tuff_far2 d, tuff_vec2 v)
 {
     return (int64_t)((uint64_t)d.x * (uint64_t)(int64_t)v.y - (uint64_t)d.y * (uint64_t)(int64_t)v.x);
 }
 
-/* (to - from) x (p - from): positive where p lies to the left of the edge. Exact: 28 by 34 bits, twice. */
-static inline int64_t tuff_edge_side(tuff_far2 p, tuff_vec2 from, tuff_vec2 to)
+/* How far p lies outside of edge i, times the edge's length; forward: tuff_turns_forward. Exact: 28 by 34 bits, twice. */
+static inline tuff_area tuff_edge_outside(const tuff_polygon *polygon, uint8_t i, bool forward, tuff_far2 p)
 {
+    tuff_vec2 from = polygon->vertices[i];
+    tuff_vec2 to = polygon->vertices[i + 1 == polygon->count ? 0 : i + 1];
     int64_t ex = (int64_t)to.x - from.x;
     int64_t ey = (int64_t)to.y - from.y;
-    return (int64_t)((uint64_t)ex * (uint64_t)(p.y - from.y) - (uint64_t)ey * (uint64_t)(p.x - from.x));
+    uint64_t right = (uint64_t)ey * (uint64_t)(p.x - from.x) - (uint64_t)ex * (uint64_t)(p.y - from.y);
+    return (int64_t)(forward ? right : 0u - right);
 }
 
+/* Whether index order goes round from +x to +y, for tuff_edge_outside. */
+#define tuff_turns_forward tuff_goes_forward
+
 /* A seam between two parts needs no margin where sides are exact. */
-static inline tuff_area tuff_seam_margin(tuff_far2 d, tuff_vec2 from, tuff_vec2 to)
+static inline tuff_area tuff_seam_margin(tuff_far2 d)
 {
     (void)d;
-    (void)from;
-    (void)to;
     return 0;
 }
 

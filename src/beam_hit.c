@@ -35,18 +35,16 @@ static void keep_earliest(tuff_entry *entry, tuff_unit fraction, tuff_unit2 norm
    edge is inside. */
 static void enter_part(tuff_entry *entry, const tuff_polygon *polygon)
 {
-    bool forward = tuff_goes_forward(polygon);
+    const tuff_area seam = tuff_seam_margin(entry->d);
+    const bool forward = tuff_turns_forward(polygon);
     tuff_area outside_last = 0;
     tuff_area travel_last = 1;
     uint8_t edge = TUFF_MAX_VERTICES;
     uint8_t i;
     for (i = 0; i < polygon->count; ++i) {
-        uint8_t next = tuff_next_index(i, polygon->count);
-        tuff_vec2 from = polygon->vertices[forward ? i : next];
-        tuff_vec2 to = polygon->vertices[forward ? next : i];
-        tuff_area outside = tuff_edge_side(entry->a, to, from);
-        tuff_area travel = tuff_area_add(outside, tuff_edge_side(entry->b, from, to));
-        if (outside <= (tuff_edge_is_internal(polygon, i) ? tuff_seam_margin(entry->d, from, to) : 0)) continue;
+        tuff_area outside = tuff_edge_outside(polygon, i, forward, entry->a);
+        tuff_area travel = tuff_area_sub(outside, tuff_edge_outside(polygon, i, forward, entry->b));
+        if (outside <= (tuff_edge_is_internal(polygon, i) ? seam : 0)) continue;
         if (travel < outside) travel = outside;     /* b is within the margin of a seam */
         bool later = edge == TUFF_MAX_VERTICES || tuff_ratio_less(outside_last, travel_last, outside, travel);
         bool better = !later && tuff_edge_is_internal(polygon, edge) && !tuff_ratio_less(outside, travel, outside_last, travel_last);

@@ -7,20 +7,15 @@
    5.1 and 5.5.7). */
 #include "inner.h"
 
-/* The Voronoi region of the center: an edge's or a vertex's. */
+/* The Voronoi region of the center: an edge's or that of the vertex where the edge begins. */
 typedef struct tuff_region {
     uint8_t edge;
-    uint8_t vertex;
-    bool    at_vertex;      /* the vertex's; edge is then the one of its two that faces the center more */
+    bool    at_vertex;
 } tuff_region;
 
-/* A vertex region: of the two edges that meet there, the one whose normal is nearer to the direction of the center. */
-static tuff_region at_vertex(tuff_vec2 center, const tuff_polygon *polygon, uint8_t vertex)
+static tuff_region region_of(uint8_t edge, bool at_vertex)
 {
-    uint8_t before = tuff_previous_index(vertex, polygon->count);
-    tuff_vec2 d = tuff_vec2_sub(center, polygon->vertices[vertex]);
-    bool faces_before = tuff_project(polygon->normals[before], d) > tuff_project(polygon->normals[vertex], d);
-    tuff_region region = { faces_before ? before : vertex, vertex, true };
+    tuff_region region = { edge, at_vertex };
     return region;
 }
 
@@ -30,36 +25,34 @@ static tuff_region at_vertex(tuff_vec2 center, const tuff_polygon *polygon, uint
 static tuff_region find_region(tuff_vec2 center, const tuff_polygon *polygon, uint8_t edge)
 {
     const tuff_vec2 *v = polygon->vertices;
-    tuff_region region = { edge, edge, false };
+    uint8_t i = edge;
     uint8_t steps;
     for (steps = polygon->count; steps > 0; --steps) {
-        uint8_t i = region.edge;
         uint8_t next = tuff_next_index(i, polygon->count);
         uint8_t before = tuff_previous_index(i, polygon->count);
         tuff_vec2 along = tuff_vec2_gap(v[next], v[i]);
         tuff_vec2 from_start = tuff_vec2_gap(center, v[i]);
         tuff_vec2 from_end = tuff_vec2_gap(center, v[next]);
         if (tuff_dot(from_start, along) < 0) {
-            if (tuff_dot(from_start, tuff_vec2_gap(v[i], v[before])) >= 0) return at_vertex(center, polygon, i);
-            region.edge = before;
+            if (tuff_dot(from_start, tuff_vec2_gap(v[i], v[before])) >= 0) return region_of(i, true);
+            i = before;
         } else if (tuff_dot(from_end, along) > 0) {
             uint8_t after = tuff_next_index(next, polygon->count);
-            if (tuff_dot(from_end, tuff_vec2_gap(v[after], v[next])) <= 0) return at_vertex(center, polygon, next);
-            region.edge = next;
+            if (tuff_dot(from_end, tuff_vec2_gap(v[after], v[next])) <= 0) return region_of(next, true);
+            i = next;
         } else {
-            return region;
+            return region_of(i, false);
         }
     }
-    region.edge = edge;     /* not convex */
-    return region;
+    return region_of(edge, false);     /* not convex */
 }
 
-static tuff_standing standing_at(const tuff_polygon *polygon, uint8_t edge)
+static tuff_standing standing_at(const tuff_polygon *polygon, uint32_t edge)
 {
     return tuff_edge_is_internal(polygon, edge) ? TUFF_BY_INTERNAL : TUFF_BY_OUTLINE;
 }
 
-static tuff_standing edge_contact(tuff_real radius, const tuff_polygon *polygon, uint8_t edge, tuff_wide separation, tuff_contact *contact)
+static tuff_standing edge_contact(tuff_real radius, const tuff_polygon *polygon, uint32_t edge, tuff_wide separation, tuff_contact *contact)
 {
     tuff_real overlap = tuff_narrow(tuff_widen(radius) - separation);
     if (!(overlap > 0)) return TUFF_APART;
@@ -68,17 +61,25 @@ static tuff_standing edge_contact(tuff_real radius, const tuff_polygon *polygon,
     return standing_at(polygon, edge);
 }
 
-static tuff_standing vertex_contact(tuff_vec2 center, tuff_real radius, const tuff_polygon *polygon, tuff_region region,
-                                    tuff_contact *contact)
+/* Of the two edges that meet at a vertex, the one that faces the center more tells. */
+static tuff_standing standing_at_vertex(tuff_vec2 center, const tuff_polygon *polygon, uint8_t vertex)
 {
-    tuff_vec2 d = tuff_vec2_gap(center, polygon->vertices[region.vertex]);
-    tuff_unit2 normal = polygon->normals[region.edge];
+    uint8_t before = tuff_previous_index(vertex, polygon->count);
+    tuff_vec2 d = tuff_vec2_sub(center, polygon->vertices[vertex]);
+    bool faces_before = tuff_project(polygon->normals[before], d) > tuff_project(polygon->normals[vertex], d);
+    return standing_at(polygon, faces_before ? before : vertex);
+}
+
+static tuff_standing vertex_contact(tuff_vec2 center, tuff_real radius, const tuff_polygon *polygon, uint8_t vertex, tuff_contact *contact)
+{
+    tuff_vec2 d = tuff_vec2_gap(center, polygon->vertices[vertex]);
+    tuff_unit2 normal = polygon->normals[vertex];
     if (tuff_dot(d, d) >= tuff_square_of(radius)) return TUFF_APART;
     tuff_real overlap = radius - tuff_normalize(d, &normal);
     if (!(overlap > 0)) return TUFF_APART;
     contact->overlap = overlap;
     contact->normal = normal;
-    return standing_at(polygon, region.edge);
+    return polygon->internal_edges == 0 ? TUFF_BY_OUTLINE : standing_at_vertex(center, polygon, vertex);
 }
 
 /* The least outline edge for a circle known to overlap. */
@@ -98,31 +99,49 @@ static tuff_standing outline_contact(tuff_vec2 center, tuff_real radius, const t
     return edge == TUFF_MAX_VERTICES ? TUFF_APART : edge_contact(radius, polygon, edge, best, contact);
 }
 
+/* The edge whose line the center is farthest beyond, or the first one found that separates. */
+typedef struct tuff_facing_edge {
+    tuff_wide separation;
+    uint32_t  edge;
+} tuff_facing_edge;
+
+static inline tuff_facing_edge facing_edge(tuff_vec2 center, tuff_wide limit, const tuff_polygon *polygon)
+{
+    tuff_facing_edge facing = { TUFF_WIDE_LOWEST, 0 };
+    uint32_t i;
+    for (i = 0; i < polygon->count; ++i) {
+        tuff_wide separation = tuff_project(polygon->normals[i], tuff_vec2_sub(center, polygon->vertices[i]));
+        facing.edge = separation > facing.separation ? i : facing.edge;
+        facing.separation = separation > facing.separation ? separation : facing.separation;
+        if (separation >= limit) break;
+    }
+    return facing;
+}
+
+/* No edge's line separates. Well inside, the edge is the answer, unless a neighbor in line with it would make the difference of
+   outline and internal. */
+static tuff_standing contact_at(tuff_vec2 center, tuff_real radius, const tuff_polygon *polygon, tuff_facing_edge facing,
+                                tuff_contact *contact)
+{
+    if (facing.separation <= -TUFF_WIDE_NEAR && polygon->internal_edges == 0) {
+        return edge_contact(radius, polygon, facing.edge, facing.separation, contact);
+    }
+    tuff_region region = find_region(center, polygon, (uint8_t)facing.edge);
+    if (region.at_vertex) return vertex_contact(center, radius, polygon, region.edge, contact);
+    if (region.edge != facing.edge) {
+        tuff_vec2 from_edge = tuff_vec2_sub(center, polygon->vertices[region.edge]);
+        facing.separation = tuff_project(polygon->normals[region.edge], from_edge);
+    }
+    return edge_contact(radius, polygon, region.edge, facing.separation, contact);
+}
+
 TUFF_HOT tuff_standing tuff_circle_part(tuff_mover *mover, tuff_vec2 center, const tuff_polygon *polygon, bool outline_only,
                                         tuff_contact *contact)
 {
-    const tuff_real radius = mover->radius;
-    const tuff_wide limit = tuff_widen(radius);
-    tuff_wide best = TUFF_WIDE_LOWEST;
-    uint8_t edge = 0;
-    uint8_t i;
-    if (outline_only) return outline_contact(center, radius, polygon, contact);
-
-    for (i = 0; i < polygon->count; ++i) {
-        tuff_wide separation = tuff_project(polygon->normals[i], tuff_vec2_sub(center, polygon->vertices[i]));
-        if (separation >= limit) return TUFF_APART;
-        if (separation > best) {
-            best = separation;
-            edge = i;
-        }
-    }
-
-    /* Well inside, the edge is the answer, unless a neighbor in line with it would make the difference of outline and internal. */
-    if (best <= -TUFF_WIDE_NEAR && polygon->internal_edges == 0) return edge_contact(radius, polygon, edge, best, contact);
-    tuff_region region = find_region(center, polygon, edge);
-    if (region.at_vertex) return vertex_contact(center, radius, polygon, region, contact);
-    if (region.edge != edge) best = tuff_project(polygon->normals[region.edge], tuff_vec2_sub(center, polygon->vertices[region.edge]));
-    return edge_contact(radius, polygon, region.edge, best, contact);
+    const tuff_wide limit = tuff_widen(mover->radius);
+    if (outline_only) return outline_contact(center, mover->radius, polygon, contact);
+    tuff_facing_edge facing = facing_edge(center, limit, polygon);
+    return facing.separation >= limit ? TUFF_APART : contact_at(center, mover->radius, polygon, facing, contact);
 }
 
 bool tuff_circle_mover(tuff_mover *mover, tuff_real radius)
@@ -135,12 +154,14 @@ bool tuff_circle_mover(tuff_mover *mover, tuff_real radius)
 
 TUFF_HOT bool tuff_circle_polygon(tuff_vec2 center, tuff_real radius, const tuff_polygon *polygon, tuff_contact *contact)
 {
-    const tuff_vec2 origin = { TUFF_WHOLE(0), TUFF_WHOLE(0) };
-    tuff_mover mover;
-    tuff_vec2 offset;
     TUFF_ASSERT(polygon != NULL && contact != NULL);
-    if (polygon == NULL || !tuff_baked(polygon) || !tuff_circle_mover(&mover, radius)) return false;
+    TUFF_ASSERT(tuff_in_range(radius, TUFF_MAX_BOUNDING_RADIUS));
+    if (polygon == NULL || !tuff_baked(polygon) || !tuff_in_range(radius, TUFF_MAX_BOUNDING_RADIUS)) return false;
     /* No vertex is farther out than a bounding radius may be. */
-    if (!tuff_offset_within(tuff_vec2_flush(center), origin, TUFF_WHOLE(TUFF_MAX_BOUNDING_RADIUS) + mover.radius, &offset)) return false;
-    return tuff_circle_part(&mover, offset, polygon, false, contact) != TUFF_APART;
+    if (!tuff_in_box(center, TUFF_WHOLE(2 * TUFF_MAX_BOUNDING_RADIUS))) return false;
+    const tuff_vec2 flushed = tuff_vec2_flush(center);
+    const tuff_wide limit = tuff_widen(tuff_flush(radius));
+    tuff_facing_edge facing = facing_edge(flushed, limit, polygon);
+    if (facing.separation >= limit) return false;
+    return contact_at(flushed, tuff_flush(radius), polygon, facing, contact) != TUFF_APART;
 }

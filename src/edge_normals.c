@@ -12,7 +12,7 @@ static bool goes_from_x_to_y(const tuff_vec2 *vertices, uint8_t count)
     uint8_t i;
     for (i = 2; i < count; ++i) {
         tuff_vec2 before = tuff_vec2_gap(vertices[i - 1], vertices[0]);
-        area = tuff_area_add(area, tuff_cross(before, tuff_vec2_gap(vertices[i], vertices[0])));
+        area = tuff_area_sub(area, tuff_cross(tuff_vec2_gap(vertices[i], vertices[0]), before));
     }
     return area >= 0;
 }

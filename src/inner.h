@@ -14,7 +14,6 @@
 #define tuff_hull_mover          TUFF_LINK_NAME(hull_mover)
 #define tuff_piece_contact       TUFF_LINK_NAME(piece_contact)
 #define tuff_collide             TUFF_LINK_NAME(collide)
-#define tuff_beam_relative       TUFF_LINK_NAME(beam_relative)
 #define tuff_beam_touches_part   TUFF_LINK_NAME(beam_touches_part)
 #define tuff_beam_touches_circle TUFF_LINK_NAME(beam_touches_circle)
 #define tuff_beam_touches_piece  TUFF_LINK_NAME(beam_touches_piece)
@@ -46,7 +45,7 @@ static inline bool tuff_piece_baked(const tuff_terrain *piece)
     return true;
 }
 
-static inline bool tuff_edge_is_internal(const tuff_polygon *polygon, uint8_t edge)
+static inline bool tuff_edge_is_internal(const tuff_polygon *polygon, uint32_t edge)
 {
     return (polygon->internal_edges >> edge & 1u) != 0;
 }
@@ -116,8 +115,7 @@ uint16_t tuff_collide(const tuff_world *world, tuff_body *body, tuff_mover *move
 
 /* --- beams ------------------------------------------------------------------------------------------------- */
 
-/* A segment with ends relative to an obstacle; the lesser end first, whichever came first, so that the answer does
-   not depend on it. */
+/* A segment with ends relative to an obstacle. With the ends swapped, d and across change their signs and nothing else. */
 typedef struct tuff_beam {
     tuff_far2 a, b;
     tuff_far2 d;         /* b - a, the same for all obstacles */
@@ -130,7 +128,17 @@ static inline bool tuff_beam_ends_ok(tuff_vec2 a, tuff_vec2 b)
     return tuff_position_ok(a) && tuff_position_ok(b);
 }
 
-tuff_beam tuff_beam_relative(tuff_vec2 a, tuff_vec2 b, tuff_vec2 origin);
+static inline tuff_beam tuff_beam_relative(tuff_vec2 a, tuff_vec2 b, tuff_vec2 origin)
+{
+    tuff_vec2 first = tuff_vec2_flush(a);
+    tuff_vec2 last = tuff_vec2_flush(b);
+    tuff_beam beam;
+    beam.a = tuff_far_sub(first, origin);
+    beam.b = tuff_far_sub(last, origin);
+    beam.d = tuff_far_sub(last, first);
+    beam.across = tuff_line_across(beam.d, beam.a, beam.b);
+    return beam;
+}
 
 /* Does the segment touch the closed polygon (baked), the closed disc about the origin? */
 TUFF_HOT bool tuff_beam_touches_part(const tuff_beam *beam, const tuff_polygon *polygon);

@@ -7,35 +7,35 @@
    leave no gap. */
 #include "inner.h"
 
-/* Are all vertices strictly on one side of the line? */
+/* Are all vertices strictly on one side of the line? As in ends_miss, nothing branches on a side: which way it would go
+   is as good as random, and a wrong guess costs a fast CPU more than all vertices do. */
 static bool line_misses(const tuff_beam *beam, const tuff_polygon *polygon)
 {
-    bool left = false;
-    bool right = false;
+    unsigned left = 0;
+    unsigned right = 0;
     uint8_t i;
     for (i = 0; i < polygon->count; ++i) {
         tuff_area side = tuff_far_cross_near(beam->d, polygon->vertices[i]);
-        if (side >= beam->across) left = true;
-        if (side <= beam->across) right = true;
-        if (left && right) return false;
+        left |= side >= beam->across;
+        right |= side <= beam->across;
     }
-    return true;
+    return (left & right) == 0;
 }
 
-/* Do both ends lie strictly outside of one edge? Outside is the right of an edge that goes forward; of an internal edge,
-   a margin farther out, where the other part is. */
+/* Do both ends lie strictly outside of one edge? Of an internal edge, a margin farther out, where the other part is. */
 static bool ends_miss(const tuff_beam *beam, const tuff_polygon *polygon)
 {
-    bool forward = tuff_goes_forward(polygon);
+    const tuff_area seam = tuff_seam_margin(beam->d);
+    const bool forward = tuff_turns_forward(polygon);
+    unsigned missed = 0;
     uint8_t i;
     for (i = 0; i < polygon->count; ++i) {
-        uint8_t next = tuff_next_index(i, polygon->count);
-        tuff_vec2 from = polygon->vertices[forward ? i : next];
-        tuff_vec2 to = polygon->vertices[forward ? next : i];
-        tuff_area outside = tuff_edge_is_internal(polygon, i) ? -tuff_seam_margin(beam->d, from, to) : 0;
-        if (tuff_edge_side(beam->a, from, to) < outside && tuff_edge_side(beam->b, from, to) < outside) return true;
+        tuff_area margin = tuff_edge_is_internal(polygon, i) ? seam : 0;
+        tuff_area a = tuff_edge_outside(polygon, i, forward, beam->a);
+        tuff_area b = tuff_edge_outside(polygon, i, forward, beam->b);
+        missed |= (unsigned)(a > margin) & (unsigned)(b > margin);
     }
-    return false;
+    return missed != 0;
 }
 
 TUFF_HOT bool tuff_beam_touches_part(const tuff_beam *beam, const tuff_polygon *polygon)

@@ -266,12 +266,12 @@ bool oracle_segment_circle(exact2 a, exact2 b, exact radius)
 /* How far the hull of a and b must move along its own normal or an edge's to leave the polygon. */
 static exact segment_depth(const oracle_polygon *p, exact2 a, exact2 b)
 {
-    exact least = -1;
+    exact least = 0;
     for (int i = 0; i < p->count; i++) {
         exact at_a = exact_dot(p->normals[i], exact_sub(p->vertices[i], a));
         exact at_b = exact_dot(p->normals[i], exact_sub(p->vertices[i], b));
         exact depth = at_a > at_b ? at_a : at_b;
-        if (least < 0 || depth < least) least = depth;
+        if (i == 0 || depth < least) least = depth;     /* a hair below 0 for an end exactly on the outline */
     }
     exact length = exact_length(exact_sub(b, a));
     if (length == 0) return least;
