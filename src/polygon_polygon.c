@@ -155,14 +155,12 @@ bool tuff_hull_mover(tuff_mover *mover, tuff_real radius, const tuff_polygon *hu
 
 TUFF_HOT bool tuff_polygon_polygon(const tuff_polygon *hull, tuff_vec2 offset, const tuff_polygon *polygon, tuff_contact *contact)
 {
-    const tuff_vec2 origin = { TUFF_WHOLE(0), TUFF_WHOLE(0) };
     tuff_unit2 scratch[TUFF_MAX_VERTICES];
     tuff_mover mover;
-    tuff_vec2 relative;
     TUFF_ASSERT(polygon != NULL && hull != NULL && contact != NULL);
     if (polygon == NULL || !tuff_baked(polygon) || !tuff_is_hull(hull)) return false;
     (void)tuff_hull_mover(&mover, TUFF_WHOLE(0), hull, scratch);
     /* Both lie within a bounding radius of their owners. */
-    if (!tuff_offset_within(tuff_vec2_flush(offset), origin, TUFF_WHOLE(2 * TUFF_MAX_BOUNDING_RADIUS), &relative)) return false;
-    return tuff_hull_part(&mover, relative, polygon, false, contact) != TUFF_APART;
+    if (!tuff_in_box(offset, TUFF_WHOLE(2 * TUFF_MAX_BOUNDING_RADIUS))) return false;
+    return tuff_hull_part(&mover, tuff_vec2_flush(offset), polygon, false, contact) != TUFF_APART;
 }

@@ -9,7 +9,7 @@
 
 /* Are all vertices strictly on one side of the line? As in ends_miss, nothing branches on a side: which way it would go
    is as good as random, and a wrong guess costs a fast CPU more than all vertices do. */
-static bool line_misses(const tuff_beam *beam, const tuff_polygon *polygon)
+static inline bool line_misses(const tuff_beam *beam, const tuff_polygon *polygon)
 {
     unsigned left = 0;
     unsigned right = 0;
@@ -49,5 +49,5 @@ bool tuff_segment_polygon(tuff_vec2 a, tuff_vec2 b, const tuff_polygon *polygon)
     TUFF_ASSERT(polygon != NULL);
     if (polygon == NULL || !tuff_baked(polygon) || !tuff_beam_ends_ok(a, b)) return false;
     tuff_beam beam = tuff_beam_relative(a, b, origin);
-    return tuff_beam_touches_part(&beam, polygon);
+    return !line_misses(&beam, polygon) && !ends_miss(&beam, polygon);
 }
