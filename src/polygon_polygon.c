@@ -2,9 +2,8 @@
    Copyright (c) 2026 the tuff authors
 
    Hull against convex polygon: separating axes over the edge normals of both (Ericson, Real-Time Collision
-   Detection, 5.2.1). The edge of the part that faces the hull's position most is asked first: mostly, what is apart is
-   apart along it. After that nothing branches on a projection: which way it would go is as good as random, and a wrong
-   guess costs a fast CPU more than all vertices of a small polygon do. */
+   Detection, 5.2.1). One edge is asked first; after that nothing branches on a projection: which way it would go is as
+   good as random, and a wrong guess costs a fast CPU more than all vertices of a small polygon do. */
 #include "inner.h"
 
 static inline tuff_wide lesser(tuff_wide a, tuff_wide b)
@@ -130,17 +129,27 @@ static tuff_standing axis_contact(const tuff_polygon *part, const tuff_polygon *
     return hull_axis_is_internal(part, normal) ? TUFF_BY_INTERNAL : TUFF_BY_OUTLINE;
 }
 
-TUFF_HOT tuff_standing tuff_hull_part(tuff_mover *mover, tuff_vec2 offset, const tuff_polygon *part, bool outline_only,
-                                      tuff_contact *contact)
+/* Mostly what is apart is apart along the edge of the part that faces the hull's position most. */
+static bool facing_edge_separates(const tuff_polygon *part, const tuff_polygon *hull, tuff_vec2 offset)
+{
+    return separation_by(part, edge_facing(part, offset), hull, offset) >= 0;
+}
+
+static tuff_standing all_axes(tuff_mover *mover, tuff_vec2 offset, const tuff_polygon *part, bool outline_only, tuff_contact *contact)
 {
     const tuff_vec2 origin = { TUFF_WHOLE(0), TUFF_WHOLE(0) };
-    const tuff_polygon *hull = &mover->hull;
-    if (separation_by(part, edge_facing(part, offset), hull, offset) >= 0) return TUFF_APART;
-    tuff_axis best = best_of_part(part, hull, offset, outline_only ? part->internal_edges : 0);
+    tuff_axis best = best_of_part(part, &mover->hull, offset, outline_only ? part->internal_edges : 0);
     if (best.separation >= 0) return TUFF_APART;
     best = best_of_hull(best, part, with_normals(mover), tuff_vec2_sub(origin, offset), outline_only);
     if (best.separation >= 0 || best.separation == TUFF_WIDE_LOWEST) return TUFF_APART;     /* lowest: no outline axis */
-    return axis_contact(part, hull, best, contact);
+    return axis_contact(part, &mover->hull, best, contact);
+}
+
+TUFF_HOT tuff_standing tuff_hull_part(tuff_mover *mover, tuff_vec2 offset, const tuff_polygon *part, bool outline_only,
+                                      tuff_contact *contact)
+{
+    if (facing_edge_separates(part, &mover->hull, offset)) return TUFF_APART;
+    return all_axes(mover, offset, part, outline_only, contact);
 }
 
 bool tuff_hull_mover(tuff_mover *mover, tuff_real radius, const tuff_polygon *hull, tuff_unit2 *scratch)
@@ -155,12 +164,14 @@ bool tuff_hull_mover(tuff_mover *mover, tuff_real radius, const tuff_polygon *hu
 
 TUFF_HOT bool tuff_polygon_polygon(const tuff_polygon *hull, tuff_vec2 offset, const tuff_polygon *polygon, tuff_contact *contact)
 {
+    const tuff_vec2 flushed = tuff_vec2_flush(offset);
     tuff_unit2 scratch[TUFF_MAX_VERTICES];
     tuff_mover mover;
     TUFF_ASSERT(polygon != NULL && hull != NULL && contact != NULL);
     if (polygon == NULL || !tuff_baked(polygon) || !tuff_is_hull(hull)) return false;
-    (void)tuff_hull_mover(&mover, TUFF_WHOLE(0), hull, scratch);
     /* Both lie within a bounding radius of their owners. */
     if (!tuff_in_box(offset, TUFF_WHOLE(2 * TUFF_MAX_BOUNDING_RADIUS))) return false;
-    return tuff_hull_part(&mover, tuff_vec2_flush(offset), polygon, false, contact) != TUFF_APART;
+    if (facing_edge_separates(polygon, hull, flushed)) return false;
+    (void)tuff_hull_mover(&mover, TUFF_WHOLE(0), hull, scratch);
+    return all_axes(&mover, flushed, polygon, false, contact) != TUFF_APART;
 }
