@@ -186,6 +186,19 @@ static inline int64_t tuff_far_cross_near(tuff_far2 d, tuff_vec2 v)
     return (int64_t)((uint64_t)d.x * (uint64_t)(int64_t)v.y - (uint64_t)d.y * (uint64_t)(int64_t)v.x);
 }
 
+/* Does index order go round from +x to +y? Asked of the first edge that has a length and a normal: the normal is
+   outward. */
+static inline bool tuff_turns_forward(const tuff_polygon *polygon)
+{
+    uint8_t i;
+    for (i = 0; i < polygon->count; ++i) {
+        tuff_vec2 right = tuff_right_of(polygon->vertices[i], polygon->vertices[i + 1 == polygon->count ? 0 : i + 1]);
+        tuff_wide facing = tuff_project(polygon->normals[i], right);
+        if (facing != 0) return facing > 0;
+    }
+    return true;
+}
+
 /* How far p lies outside of edge i, times the edge's length; forward: tuff_turns_forward. Exact: 28 by 34 bits, twice. */
 static inline tuff_area tuff_edge_outside(const tuff_polygon *polygon, uint8_t i, bool forward, tuff_far2 p)
 {
@@ -196,9 +209,6 @@ static inline tuff_area tuff_edge_outside(const tuff_polygon *polygon, uint8_t i
     uint64_t right = (uint64_t)ey * (uint64_t)(p.x - from.x) - (uint64_t)ex * (uint64_t)(p.y - from.y);
     return (int64_t)(forward ? right : 0u - right);
 }
-
-/* Whether index order goes round from +x to +y, for tuff_edge_outside. */
-#define tuff_turns_forward tuff_goes_forward
 
 /* A seam between two parts needs no margin where sides are exact. */
 static inline tuff_area tuff_seam_margin(tuff_far2 d)

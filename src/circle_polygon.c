@@ -90,7 +90,7 @@ static tuff_standing outline_contact(tuff_vec2 center, tuff_real radius, const t
     uint8_t i;
     for (i = 0; i < polygon->count; ++i) {
         if (tuff_edge_is_internal(polygon, i)) continue;
-        tuff_wide separation = tuff_project(polygon->normals[i], tuff_vec2_sub(center, polygon->vertices[i]));
+        tuff_wide separation = tuff_beyond_edge(polygon, i, center);
         if (separation > best) {
             best = separation;
             edge = i;
@@ -110,7 +110,7 @@ static inline tuff_facing_edge facing_edge(tuff_vec2 center, tuff_wide limit, co
     tuff_facing_edge facing = { TUFF_WIDE_LOWEST, 0 };
     uint32_t i;
     for (i = 0; i < polygon->count; ++i) {
-        tuff_wide separation = tuff_project(polygon->normals[i], tuff_vec2_sub(center, polygon->vertices[i]));
+        tuff_wide separation = tuff_beyond_edge(polygon, i, center);
         facing.edge = separation > facing.separation ? i : facing.edge;
         facing.separation = separation > facing.separation ? separation : facing.separation;
         if (separation >= limit) break;
@@ -128,10 +128,7 @@ static tuff_standing contact_at(tuff_vec2 center, tuff_real radius, const tuff_p
     }
     tuff_region region = find_region(center, polygon, (uint8_t)facing.edge);
     if (region.at_vertex) return vertex_contact(center, radius, polygon, region.edge, contact);
-    if (region.edge != facing.edge) {
-        tuff_vec2 from_edge = tuff_vec2_sub(center, polygon->vertices[region.edge]);
-        facing.separation = tuff_project(polygon->normals[region.edge], from_edge);
-    }
+    if (region.edge != facing.edge) facing.separation = tuff_beyond_edge(polygon, region.edge, center);
     return edge_contact(radius, polygon, region.edge, facing.separation, contact);
 }
 

@@ -53,17 +53,10 @@ static inline bool tuff_edge_is_internal(const tuff_polygon *polygon, uint32_t e
 static inline uint8_t tuff_next_index(uint8_t i, uint8_t count)     { return (uint8_t)(i + 1 == count ? 0 : i + 1); }
 static inline uint8_t tuff_previous_index(uint8_t i, uint8_t count) { return (uint8_t)(i == 0 ? count - 1 : i - 1); }
 
-/* Does index order go round from +x to +y? Asked of the first edge that has a length and a normal: the normal is
-   outward. */
-static inline bool tuff_goes_forward(const tuff_polygon *polygon)
+/* How far a point lies beyond the line of an edge. */
+static inline tuff_wide tuff_beyond_edge(const tuff_polygon *polygon, uint32_t edge, tuff_vec2 point)
 {
-    uint8_t i;
-    for (i = 0; i < polygon->count; ++i) {
-        tuff_vec2 right = tuff_right_of(polygon->vertices[i], polygon->vertices[tuff_next_index(i, polygon->count)]);
-        tuff_wide facing = tuff_project(polygon->normals[i], right);
-        if (facing != 0) return facing > 0;
-    }
-    return true;
+    return tuff_project(polygon->normals[edge], tuff_vec2_sub(point, polygon->vertices[edge]));
 }
 
 /* Is this slot of the terrain array a piece? */

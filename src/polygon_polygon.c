@@ -21,16 +21,10 @@ static inline tuff_wide least_projection(const tuff_polygon *polygon, tuff_unit2
     return least;
 }
 
-/* How far a point lies beyond the line of an edge. */
-static inline tuff_wide beyond_edge(const tuff_polygon *polygon, uint32_t edge, tuff_vec2 point)
-{
-    return tuff_project(polygon->normals[edge], tuff_vec2_sub(point, polygon->vertices[edge]));
-}
-
 /* How far the nearest vertex of the other polygon, at this offset, lies beyond it. */
 static inline tuff_wide separation_by(const tuff_polygon *polygon, uint32_t edge, const tuff_polygon *other, tuff_vec2 offset)
 {
-    return tuff_wide_add(least_projection(other, polygon->normals[edge]), beyond_edge(polygon, edge, offset));
+    return tuff_wide_add(least_projection(other, polygon->normals[edge]), tuff_beyond_edge(polygon, edge, offset));
 }
 
 /* The best axis so far: number is the edge's in the part, or TUFF_MAX_VERTICES and on in the hull. */
@@ -50,7 +44,7 @@ static uint32_t edge_facing(const tuff_polygon *part, tuff_vec2 point)
 {
     tuff_axis best = { TUFF_WIDE_LOWEST, 0 };
     uint32_t i;
-    for (i = 0; i < part->count; ++i) best = better_axis(best, beyond_edge(part, i, point), i);
+    for (i = 0; i < part->count; ++i) best = better_axis(best, tuff_beyond_edge(part, i, point), i);
     return best.number;
 }
 

@@ -38,9 +38,14 @@ static bool ends_miss(const tuff_beam *beam, const tuff_polygon *polygon)
     return missed != 0;
 }
 
-TUFF_HOT bool tuff_beam_touches_part(const tuff_beam *beam, const tuff_polygon *polygon)
+static inline bool touches(const tuff_beam *beam, const tuff_polygon *polygon)
 {
     return !line_misses(beam, polygon) && !ends_miss(beam, polygon);
+}
+
+TUFF_HOT bool tuff_beam_touches_part(const tuff_beam *beam, const tuff_polygon *polygon)
+{
+    return touches(beam, polygon);
 }
 
 bool tuff_segment_polygon(tuff_vec2 a, tuff_vec2 b, const tuff_polygon *polygon)
@@ -49,5 +54,5 @@ bool tuff_segment_polygon(tuff_vec2 a, tuff_vec2 b, const tuff_polygon *polygon)
     TUFF_ASSERT(polygon != NULL);
     if (polygon == NULL || !tuff_baked(polygon) || !tuff_beam_ends_ok(a, b)) return false;
     tuff_beam beam = tuff_beam_relative(a, b, origin);
-    return !line_misses(&beam, polygon) && !ends_miss(&beam, polygon);
+    return touches(&beam, polygon);
 }
