@@ -3,7 +3,7 @@
 #
 # Builds both libraries, the demo and the tests; `make help` lists the targets. Everything built goes under $(BUILD).
 # The lists of sources are shared with CMakeLists.txt: src/sources.list, ports/desktop/demo.list, tests/unit/tests.list,
-# tests/host/tests.list, tests/bench/bench.list. Works with GNU make 3.81 and later.
+# tests/host/tests.list, tests/stability/tests.list, tests/bench/bench.list. Works with GNU make 3.81 and later.
 
 ## Variables:
 ##   PREFIX=/usr/local  DESTDIR=   where install puts things; LIBDIR=lib is a name below PREFIX
@@ -54,6 +54,10 @@ HOST_TESTS := $(call lines,tests/host/tests.list,-n -e 's/^each //p')
 HOST_ONCE  := $(call lines,tests/host/tests.list,-n -e 's/^once //p')
 HOST_HELP  := $(filter-out $(patsubst %,tests/host/%.c,$(HOST_TESTS) $(HOST_ONCE)),$(wildcard tests/host/*.c))
 HOST_CXX   := $(wildcard tests/host/*.cpp)
+STABILITY_TESTS := $(call lines,tests/stability/tests.list)
+STABILITY_HELP  := $(filter-out $(STABILITY_TESTS:%=tests/stability/%.c),$(wildcard tests/stability/*.c)) tests/bench/textbook.c \
+                   $(filter ports/scene/%,$(DEMO_BOTH))
+STABILITY_CXX   := $(wildcard tests/stability/*.cpp)
 
 version = $(shell sed -n 's/^.define TUFF_VERSION_$(1)  *//p' include/tuff/tuff.h)
 VERSION := $(call version,MAJOR).$(call version,MINOR).$(call version,PATCH)
@@ -65,7 +69,7 @@ SHAPES      := PYTHONPATH=tools/shapes $(SHAPE_TOOLS)/bin/python -m tuff_shapes
 
 # ---- Targets that people call
 
-.PHONY: all demo demo-program test bench bench-program gate-program bench-models chart picture shapes shape-tools rocks-draw install help clean
+.PHONY: all demo demo-program test bench bench-program gate-program bench-models chart stability picture shapes shape-tools rocks-draw install help clean
 .PHONY: check-symbols FORCE
 .DELETE_ON_ERROR:
 .SECONDARY:
@@ -97,6 +101,11 @@ chart: $(SHAPE_TOOLS)/ready ## draw docs/charts from the tables that bench and b
 
 check-symbols: $(LIBRARIES) ## show that the libraries hold no mutable data, and the fixed one no float
 	@NM='$(NM)' CC='$(CC)' scripts/check-symbols $(BUILD)
+
+stability: $(SHAPE_TOOLS)/ready ## run the stability tests, redraw the pictures and the table of docs/stability.md (Python 3.11)
+	@scripts/get-test-tools
+	@$(MAKE) --no-print-directory stability-plain
+	@$(SHAPE_TOOLS)/bin/python tests/stability/page.py write $(BUILD) docs/stability.md
 
 picture: $(BUILD)/tuff-demo $(BUILD)/picture-tools/ready ## draw docs/demo.gif and the screenshots (Python 3, Pillow)
 	$(BUILD)/picture-tools/bin/python ports/desktop/picture.py $(BUILD)/tuff-demo
@@ -181,6 +190,7 @@ library = $(if $(filter plain,$(1)),$(BUILD)/libtuff-$(2).a,$(BUILD)/make/$(1)/l
 UNITY_CONFIG := -include tests/unit/unity_config.h
 UNIT_FLAGS := $(UNITY_CONFIG) -Itests/unit -Isrc -isystem $(UNITY_DIR)/src
 HOST_FLAGS := -Itests/host
+STABILITY_FLAGS := $(HOST_FLAGS) -Itests/bench -Iports/scene
 
 # $(call build,variant,scalar)
 define build
@@ -189,8 +199,10 @@ $(call compile,$(1),$(2),ports,$(DEMO))
 $(call compile,$(1),$(2),tests/unit,$(UNIT_FLAGS))
 $(call compile,$(1),$(2),tests/host,$(HOST_FLAGS))
 $(call compile,$(1),$(2),tests/bench,$(HOST_FLAGS) -D_POSIX_C_SOURCE=200809L)
+$(call compile,$(1),$(2),tests/stability,$(STABILITY_FLAGS))
 $(call archive,$(call library,$(1),$(2)),$(call objects,$(1),$(2),$(SOURCES)),src/sources.list)
 $(call archive,$(BUILD)/make/$(1)/libhost-$(2).a,$(call objects,$(1),$(2),$(HOST_HELP)),tests/host)
+$(call archive,$(BUILD)/make/$(1)/libstability-$(2).a,$(call objects,$(1),$(2),$(STABILITY_HELP)),tests/stability)
 
 $(BUILD)/make/$(1)/unit/%-$(2): $(BUILD)/make/$(1)/$(2)/tests/unit/%.o $(BUILD)/make/$(1)/unity.o $(call library,$(1),$(2))
 	@mkdir -p $$(@D)
@@ -203,8 +215,15 @@ $(BUILD)/make/$(1)/host/%-$(2): $(BUILD)/make/$(1)/$(2)/tests/host/%.o $(BUILD)/
 	$$(call say,LINK,$$@)
 	$$(Q)$$(CXX) $$(VARIANT_$(1)) $$(LDFLAGS) $$^ $$(HOST_LIBRARIES) -o $$@
 
+$(BUILD)/make/$(1)/stability/%-$(2): $(BUILD)/make/$(1)/$(2)/tests/stability/%.o $(BUILD)/make/$(1)/libstability-$(2).a \
+        $(BUILD)/make/$(1)/libstability-cxx.a $(BUILD)/make/$(1)/libhost-$(2).a $(BUILD)/make/$(1)/libhost-cxx.a $(call library,$(1),$(2))
+	@mkdir -p $$(@D)
+	$$(call say,LINK,$$@)
+	$$(Q)$$(CXX) $$(VARIANT_$(1)) $$(LDFLAGS) $$^ $$(HOST_LIBRARIES) -o $$@
+
 unit-$(1): $(patsubst %,$(BUILD)/make/$(1)/unit/%-$(2),$(UNIT_TESTS))
 host-$(1): $(patsubst %,$(BUILD)/make/$(1)/host/%-$(2),$(HOST_TESTS))
+stability-$(1): $(patsubst %,$(BUILD)/make/$(1)/stability/%-$(2),$(STABILITY_TESTS))
 endef
 
 HOST_LIBRARIES := -lcmocka -lbox2d -lquadmath -lm
@@ -215,8 +234,10 @@ $(call compile,$(1),once,ports,$(DEMO))
 $(call compile,$(1),once,tests/host,$(HOST_FLAGS))
 $(call compile,$(1),once,tests/bench,$(HOST_FLAGS))
 $(call archive,$(BUILD)/make/$(1)/libhost-cxx.a,$(call objects,$(1),once,$(HOST_CXX)),tests/host)
+$(call archive,$(BUILD)/make/$(1)/libstability-cxx.a,$(call objects,$(1),once,$(STABILITY_CXX)),tests/stability)
 
 $(call compile_cxx,$(1),tests/host)
+$(call compile_cxx,$(1),tests/stability)
 $(call compile_cxx,$(1),tests/bench)
 
 $(BUILD)/make/$(1)/unity.o: $(UNITY_DIR)/src/unity.c $(BUILD)/make/flags
@@ -231,7 +252,7 @@ $(BUILD)/make/$(1)/host/%: $(BUILD)/make/$(1)/once/tests/host/%.o $(SCALARS:%=$(
 	$$(Q)$$(CXX) $$(VARIANT_$(1)) $$(LDFLAGS) $$^ $$(HOST_LIBRARIES) -o $$@
 
 host-$(1): $(patsubst %,$(BUILD)/make/$(1)/host/%,$(HOST_ONCE))
-.PHONY: unit-$(1) host-$(1)
+.PHONY: unit-$(1) host-$(1) stability-$(1)
 endef
 
 $(foreach v,plain sanitized,$(eval $(call build_once,$(v)))$(foreach s,$(SCALARS),$(eval $(call build,$(v),$(s)))))

@@ -16,10 +16,13 @@
      tuff_offset_within              difference of positions inside an open circle
      tuff_circles_touch              closed circles at any distance
      tuff_pushed                     position + overlap * normal, saturating
+     tuff_steps_cover                steps * step against the length of a motion
+     TUFF_STEP_MARGIN                how much deeper than thought a body may be after a step
      tuff_floor, tuff_ceil           whole units
      tuff_position_ok, tuff_velocity_ok, tuff_number_ok, tuff_normal_ok
      tuff_residue                    what a push may leave of an overlap
-     tuff_area_sub, tuff_wide_add    where terms of bad shapes may be huge
+     tuff_area_add, tuff_area_sub, tuff_wide_add    where terms of bad shapes may be huge
+     tuff_area_sure                  is an area's sign not lost in its rounding
      tuff_far_sub, tuff_far_dot, tuff_far_cross, tuff_far_cross_near, tuff_edge_outside,
      tuff_turns_forward, tuff_seam_margin, tuff_far_inside     beams */
 #ifndef TUFF_ARITH_H

@@ -69,10 +69,15 @@ static inline tuff_wide tuff_facing(tuff_unit2 a, tuff_unit2 b) { return a.x * b
 static inline tuff_area tuff_dot(tuff_vec2 a, tuff_vec2 b)      { return a.x * b.x + a.y * b.y; }
 static inline tuff_area tuff_cross(tuff_vec2 a, tuff_vec2 b)    { return a.x * b.y - a.y * b.x; }
 static inline tuff_area tuff_area_sub(tuff_area a, tuff_area b) { return a - b; }
+static inline tuff_area tuff_area_add(tuff_area a, tuff_area b) { return a + b; }
 static inline tuff_wide tuff_wide_add(tuff_wide a, tuff_wide b) { return a + b; }
 static inline tuff_area tuff_square_of(tuff_real a)             { return a * a; }
 static inline tuff_wide tuff_widen(tuff_real a)                 { return a; }
 static inline tuff_real tuff_narrow(tuff_wide a)                { return a; }
+
+/* Is the sign of an area right, which is a sum of at most 30 products of vectors with this sum of squares? The products
+   and their sum are good to 2^-19 of the squares. */
+static inline bool tuff_area_sure(tuff_area area, tuff_area squares) { return tuff_abs(area) > squares * 1.9073486e-6f; }
 
 /* False for NaN and infinity too. */
 static inline bool tuff_number_ok(tuff_real a) { return tuff_abs(a) <= 3.0e38f; }
@@ -127,6 +132,16 @@ static inline bool tuff_circles_touch(tuff_vec2 a, tuff_real a_radius, tuff_vec2
     float reach = tuff_flush(a_radius) + tuff_flush(b_radius);
     tuff_vec2 d = tuff_vec2_gap(a, b);
     return tuff_abs(d.x) <= reach && tuff_abs(d.y) <= reach && tuff_dot(d, d) <= reach * reach;
+}
+
+/* What a push may leave over, and the last digits of positions: at 32,768 units 1e-4, and one and a half times 2^-9. */
+#define TUFF_STEP_MARGIN  (1.0f / 256.0f)
+
+/* steps * step >= |motion| */
+static inline bool tuff_steps_cover(tuff_vec2 motion, tuff_real step, uint16_t steps)
+{
+    float way = (float)steps * step;
+    return way * way >= tuff_dot(motion, motion);
 }
 
 /* position + overlap * normal; stops at the edge of the range. */

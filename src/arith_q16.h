@@ -65,7 +65,16 @@ static inline tuff_area tuff_square_of(tuff_real a)                { return (int
 static inline tuff_wide tuff_widen(tuff_real a)                    { return (int64_t)a * TUFF_UNIT_ONE; }
 
 static inline tuff_area tuff_area_sub(tuff_area a, tuff_area b)    { return (int64_t)((uint64_t)a - (uint64_t)b); }
+static inline tuff_area tuff_area_add(tuff_area a, tuff_area b)    { return (int64_t)((uint64_t)a + (uint64_t)b); }
 static inline tuff_wide tuff_wide_add(tuff_wide a, tuff_wide b)    { return (int64_t)((uint64_t)a + (uint64_t)b); }
+
+/* Areas are exact. */
+static inline bool tuff_area_sure(tuff_area area, tuff_area squares)
+{
+    (void)area;
+    (void)squares;
+    return true;
+}
 
 /* a x b: 64 bits, exact for |components| < 2^31. */
 static inline tuff_area tuff_cross(tuff_vec2 a, tuff_vec2 b)
@@ -136,6 +145,17 @@ static inline bool tuff_circles_touch(tuff_vec2 a, tuff_real a_radius, tuff_vec2
     if (x > reach || x < -reach || y > reach || y < -reach) return false;
     uint64_t room = (uint64_t)reach * (uint64_t)reach - (uint64_t)(x < 0 ? -x : x) * (uint64_t)(x < 0 ? -x : x);
     return (uint64_t)(y < 0 ? -y : y) * (uint64_t)(y < 0 ? -y : y) <= room;
+}
+
+/* What a push may leave over, and as much again. */
+#define TUFF_STEP_MARGIN  4
+
+/* steps * step >= |motion|, exactly; 0 <= step < 2^31. A product of 32 bits or more is longer than any motion within the positions. */
+static inline bool tuff_steps_cover(tuff_vec2 motion, tuff_real step, uint16_t steps)
+{
+    uint64_t way = (uint64_t)steps * (uint32_t)step;
+    uint64_t square = (uint64_t)((int64_t)motion.x * motion.x) + (uint64_t)((int64_t)motion.y * motion.y);
+    return way >> 32 != 0 || way * way >= square;
 }
 
 /* position + overlap * normal, to nearest; saturates at the edge of the range. */

@@ -19,32 +19,57 @@ static tuff_region region_of(uint8_t edge, bool at_vertex)
     return region;
 }
 
+static inline bool has_length(tuff_vec2 edge)
+{
+    return edge.x != 0 || edge.y != 0;
+}
+
+/* Back from vertex i, which the center lies behind, to the region it is in. An edge without length (the checks refuse
+   them) is no region and ends no walk. */
+static tuff_region region_behind(tuff_vec2 center, const tuff_polygon *polygon, uint8_t i)
+{
+    const tuff_vec2 *v = polygon->vertices;
+    uint8_t steps;
+    for (steps = polygon->count; steps > 0; --steps) {
+        uint8_t before = tuff_previous_index(i, polygon->count);
+        tuff_vec2 along = tuff_vec2_gap(v[i], v[before]);
+        if (tuff_dot(tuff_vec2_gap(center, v[i]), along) >= 0 && has_length(along)) return region_of(i, true);
+        if (tuff_dot(tuff_vec2_gap(center, v[before]), along) > 0) return region_of(before, false);
+        i = before;
+    }
+    return region_of(i, false);     /* not convex */
+}
+
+/* The same onwards from vertex i, which the center lies beyond. */
+static tuff_region region_beyond(tuff_vec2 center, const tuff_polygon *polygon, uint8_t i)
+{
+    const tuff_vec2 *v = polygon->vertices;
+    uint8_t steps;
+    for (steps = polygon->count; steps > 0; --steps) {
+        uint8_t after = tuff_next_index(i, polygon->count);
+        tuff_vec2 along = tuff_vec2_gap(v[after], v[i]);
+        if (tuff_dot(tuff_vec2_gap(center, v[i]), along) <= 0 && has_length(along)) return region_of(i, true);
+        if (tuff_dot(tuff_vec2_gap(center, v[after]), along) < 0) return region_of(i, false);
+        i = after;
+    }
+    return region_of(i, false);
+}
+
 /* From the edge that faces the center most, walk to the region the center is in. Mostly no step is taken: it is the
    edge itself or one of its ends. Where edges are nearly in line, rounded projections may favor an edge farther on;
-   exact products of the edges do not. */
+   exact products of the edges do not. An edge without length has the next one's normal. */
 static tuff_region find_region(tuff_vec2 center, const tuff_polygon *polygon, uint8_t edge)
 {
     const tuff_vec2 *v = polygon->vertices;
-    uint8_t i = edge;
-    uint8_t steps;
-    for (steps = polygon->count; steps > 0; --steps) {
-        uint8_t next = tuff_next_index(i, polygon->count);
-        uint8_t before = tuff_previous_index(i, polygon->count);
-        tuff_vec2 along = tuff_vec2_gap(v[next], v[i]);
-        tuff_vec2 from_start = tuff_vec2_gap(center, v[i]);
-        tuff_vec2 from_end = tuff_vec2_gap(center, v[next]);
-        if (tuff_dot(from_start, along) < 0) {
-            if (tuff_dot(from_start, tuff_vec2_gap(v[i], v[before])) >= 0) return region_of(i, true);
-            i = before;
-        } else if (tuff_dot(from_end, along) > 0) {
-            uint8_t after = tuff_next_index(next, polygon->count);
-            if (tuff_dot(from_end, tuff_vec2_gap(v[after], v[next])) <= 0) return region_of(next, true);
-            i = next;
-        } else {
-            return region_of(i, false);
-        }
+    uint8_t next = tuff_next_index(edge, polygon->count);
+    while (!has_length(tuff_vec2_gap(v[next], v[edge])) && next != 0) {
+        edge = next;
+        next = tuff_next_index(next, polygon->count);
     }
-    return region_of(edge, false);     /* not convex */
+    tuff_vec2 along = tuff_vec2_gap(v[next], v[edge]);
+    if (tuff_dot(tuff_vec2_gap(center, v[edge]), along) < 0) return region_behind(center, polygon, edge);
+    if (tuff_dot(tuff_vec2_gap(center, v[next]), along) > 0) return region_beyond(center, polygon, next);
+    return region_of(edge, false);
 }
 
 static tuff_standing standing_at(const tuff_polygon *polygon, uint32_t edge)
@@ -82,14 +107,20 @@ static tuff_standing vertex_contact(tuff_vec2 center, tuff_real radius, const tu
     return polygon->internal_edges == 0 ? TUFF_BY_OUTLINE : standing_at_vertex(center, polygon, vertex);
 }
 
-/* The least outline edge for a circle known to overlap. */
-static tuff_standing outline_contact(tuff_vec2 center, tuff_real radius, const tuff_polygon *polygon, tuff_contact *contact)
+static bool is_skipped(const tuff_polygon *polygon, uint8_t edge, tuff_vec2 center, tuff_skipped skipped)
+{
+    return skipped == TUFF_SKIP_BACK ? tuff_leads_back(polygon->normals[edge], center) : tuff_edge_is_internal(polygon, edge);
+}
+
+/* The least edge that is not skipped, for a circle known to overlap. */
+static tuff_standing unskipped_contact(tuff_vec2 center, tuff_real radius, const tuff_polygon *polygon, tuff_skipped skipped,
+                                       tuff_contact *contact)
 {
     tuff_wide best = TUFF_WIDE_LOWEST;
     uint8_t edge = TUFF_MAX_VERTICES;
     uint8_t i;
     for (i = 0; i < polygon->count; ++i) {
-        if (tuff_edge_is_internal(polygon, i)) continue;
+        if (is_skipped(polygon, i, center, skipped)) continue;
         tuff_wide separation = tuff_beyond_edge(polygon, i, center);
         if (separation > best) {
             best = separation;
@@ -132,11 +163,11 @@ static tuff_standing contact_at(tuff_vec2 center, tuff_real radius, const tuff_p
     return edge_contact(radius, polygon, region.edge, facing.separation, contact);
 }
 
-TUFF_HOT tuff_standing tuff_circle_part(tuff_mover *mover, tuff_vec2 center, const tuff_polygon *polygon, bool outline_only,
+TUFF_HOT tuff_standing tuff_circle_part(tuff_mover *mover, tuff_vec2 center, const tuff_polygon *polygon, tuff_skipped skipped,
                                         tuff_contact *contact)
 {
     const tuff_wide limit = tuff_widen(mover->radius);
-    if (outline_only) return outline_contact(center, mover->radius, polygon, contact);
+    if (skipped != TUFF_SKIP_NONE) return unskipped_contact(center, mover->radius, polygon, skipped, contact);
     tuff_facing_edge facing = facing_edge(center, limit, polygon);
     return facing.separation >= limit ? TUFF_APART : contact_at(center, mover->radius, polygon, facing, contact);
 }
@@ -144,6 +175,8 @@ TUFF_HOT tuff_standing tuff_circle_part(tuff_mover *mover, tuff_vec2 center, con
 bool tuff_circle_mover(tuff_mover *mover, tuff_real radius)
 {
     mover->test = tuff_circle_part;
+    mover->seams = false;
+    mover->neighbor_count = TUFF_NO_NEIGHBORS;
     TUFF_ASSERT(tuff_in_range(radius, TUFF_MAX_BOUNDING_RADIUS));
     mover->radius = tuff_flush(radius);
     return tuff_in_range(radius, TUFF_MAX_BOUNDING_RADIUS);

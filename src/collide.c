@@ -40,20 +40,57 @@ static uint16_t collide_in_turn(const tuff_world *world, tuff_body *body, tuff_m
     return pushes;
 }
 
+/* One more piece met in this call; too many are as none. */
+static void note_neighbor(tuff_mover *mover, const tuff_terrain *piece)
+{
+    uint8_t i;
+    for (i = 0; i < mover->neighbor_count; ++i) {
+        if (mover->neighbors[i] == piece) return;
+    }
+    if (i == TUFF_MOST_NEIGHBORS) mover->neighbor_count = TUFF_NO_NEIGHBORS;
+    else mover->neighbors[mover->neighbor_count++] = piece;
+}
+
+/* Does a contact come before another? The deeper, or the lower number. Where a hull meets several pieces, one by an outline edge
+   comes before one that had to do without; of the latter the least, as between the parts of a piece. */
+static bool comes_first(const tuff_touch *touch, const tuff_touch *best, bool by_outline, bool best_by_outline)
+{
+    tuff_real overlap = touch->contact.overlap;
+    tuff_real least = best->contact.overlap;
+    if (by_outline != best_by_outline) return by_outline;
+    if (overlap != least) return (overlap > least) == by_outline;
+    return touch->piece < best->piece;
+}
+
 /* The deepest contact of all where the body is now; of equal ones the lowest number's. */
-static bool find_deepest(const tuff_world *world, const tuff_body *body, tuff_mover *mover, tuff_touch *deepest)
+static bool scan_for_deepest(const tuff_world *world, const tuff_body *body, tuff_mover *mover, tuff_touch *deepest)
 {
     bool found = false;
+    bool found_by_outline = false;
     tuff_touch touch;
     tuff_walk walk;
     tuff_walk_box(&walk, world, body->position, mover->radius, false);
     while ((touch.piece = tuff_walk_next(&walk)) != TUFF_NO_PIECE) {
+        mover->by_outline = true;
         if (!touch_piece(world, body, mover, &touch)) continue;
-        bool deeper = !found || touch.contact.overlap > deepest->contact.overlap;
-        if (deeper || (touch.contact.overlap == deepest->contact.overlap && touch.piece < deepest->piece)) *deepest = touch;
+        if (!mover->seams && mover->neighbor_count != TUFF_NO_NEIGHBORS) note_neighbor(mover, &world->terrain[touch.piece]);
+        bool by_outline = !mover->seams || mover->by_outline;
+        if (found && !comes_first(&touch, deepest, by_outline, found_by_outline)) continue;
+        *deepest = touch;
+        found_by_outline = by_outline;
         found = true;
     }
     return found;
+}
+
+/* Where a hull has met several pieces in this call, what was found is asked again with their seams in mind. Pieces are noted only
+   without: what they tell must not depend on which of them is asked first. */
+static bool find_deepest(const tuff_world *world, const tuff_body *body, tuff_mover *mover, tuff_touch *deepest)
+{
+    mover->seams = false;
+    bool found = scan_for_deepest(world, body, mover, deepest);
+    mover->seams = mover->neighbor_count > 1 && mover->neighbor_count != TUFF_NO_NEIGHBORS;
+    return found && mover->seams ? scan_for_deepest(world, body, mover, deepest) : found;
 }
 
 static uint16_t collide_deepest_first(const tuff_world *world, tuff_body *body, tuff_mover *mover, tuff_touches *touches)

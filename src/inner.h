@@ -13,6 +13,10 @@
 #define tuff_circle_mover        TUFF_LINK_NAME(circle_mover)
 #define tuff_hull_mover          TUFF_LINK_NAME(hull_mover)
 #define tuff_piece_contact       TUFF_LINK_NAME(piece_contact)
+#define tuff_parts_contact       TUFF_LINK_NAME(parts_contact)
+#define tuff_corner_is_internal  TUFF_LINK_NAME(corner_is_internal)
+#define tuff_edge_beside         TUFF_LINK_NAME(edge_beside)
+#define tuff_edge_buried         TUFF_LINK_NAME(edge_buried)
 #define tuff_collide             TUFF_LINK_NAME(collide)
 #define tuff_beam_touches_part   TUFF_LINK_NAME(beam_touches_part)
 #define tuff_beam_touches_circle TUFF_LINK_NAME(beam_touches_circle)
@@ -50,6 +54,12 @@ static inline bool tuff_edge_is_internal(const tuff_polygon *polygon, uint32_t e
     return (polygon->internal_edges >> edge & 1u) != 0;
 }
 
+/* Would a push along the normal lead a shape at this offset nearer to its piece's position? */
+static inline bool tuff_leads_back(tuff_unit2 normal, tuff_vec2 offset)
+{
+    return tuff_project(normal, offset) < 0;
+}
+
 static inline uint8_t tuff_next_index(uint8_t i, uint8_t count)     { return (uint8_t)(i + 1 == count ? 0 : i + 1); }
 static inline uint8_t tuff_previous_index(uint8_t i, uint8_t count) { return (uint8_t)(i == 0 ? count - 1 : i - 1); }
 
@@ -79,10 +89,16 @@ typedef enum tuff_standing { TUFF_APART, TUFF_BY_OUTLINE, TUFF_BY_INTERNAL } tuf
 
 typedef struct tuff_mover tuff_mover;
 
-/* Shape against part at this offset. outline_only: the contact along the least axis that is an outline edge's, for a
-   shape known to overlap; TUFF_APART: there is none. */
-typedef tuff_standing tuff_part_test(tuff_mover *mover, tuff_vec2 offset, const tuff_polygon *part, bool outline_only,
+/* Which axes are no way out: those of internal edges; those that lead back to the piece's position. */
+typedef enum tuff_skipped { TUFF_SKIP_NONE, TUFF_SKIP_INTERNAL, TUFF_SKIP_BACK } tuff_skipped;
+
+/* Shape against part at this offset. If axes are skipped the shape is known to overlap, and the contact is the one along the
+   least of the others; TUFF_APART: there is none. */
+typedef tuff_standing tuff_part_test(tuff_mover *mover, tuff_vec2 offset, const tuff_polygon *part, tuff_skipped skipped,
                                      tuff_contact *contact);
+
+#define TUFF_MOST_NEIGHBORS 8     /* pieces whose seams a hull minds; it rarely meets more than three */
+#define TUFF_NO_NEIGHBORS   255   /* as a count: seams between pieces do not matter, or there are too many */
 
 /* The shape that moves. The function pointer keeps hull code out of a game that has only circles. */
 struct tuff_mover {
@@ -90,7 +106,22 @@ struct tuff_mover {
     tuff_real       radius;        /* of the circle, or of the circle about the hull */
     tuff_polygon    hull;          /* normals NULL: not needed yet */
     tuff_unit2     *scratch;       /* where they go then */
+    const tuff_terrain *piece;     /* whose parts are tested; NULL: a part of no piece */
+    const tuff_terrain *neighbors[TUFF_MOST_NEIGHBORS];    /* pieces met in this call */
+    uint8_t         neighbor_count;
+    bool            seams;         /* the neighbors matter now */
+    bool            by_outline;    /* made false by a contact with a piece that is by no outline edge, or a residue */
 };
+
+/* Has the outline of all parts and neighbors, at this vertex of a part, no normal along the axis? The vertex is the part's
+   farthest that way. */
+bool tuff_corner_is_internal(const tuff_mover *mover, const tuff_polygon *part, uint8_t vertex, tuff_unit2 axis);
+
+/* Is the hull wholly beyond an end of the edge, on the side where an internal edge goes on? */
+bool tuff_edge_beside(const tuff_mover *mover, tuff_vec2 offset, const tuff_polygon *part, uint8_t edge);
+
+/* Does a neighbor cover the edge where the hull is? */
+bool tuff_edge_buried(const tuff_mover *mover, tuff_vec2 offset, const tuff_polygon *part, uint8_t edge);
 
 TUFF_HOT tuff_part_test tuff_circle_part;
 TUFF_HOT tuff_part_test tuff_hull_part;
@@ -102,6 +133,11 @@ bool tuff_hull_mover(tuff_mover *mover, tuff_real radius, const tuff_polygon *hu
 
 /* The contact of a mover with a piece, by the rule for parts. */
 TUFF_HOT bool tuff_piece_contact(const tuff_terrain *piece, tuff_vec2 position, tuff_mover *mover, tuff_contact *contact);
+
+/* The same with the parts of a baked piece whose bounding circle is reached. residue: what an earlier push may have left
+   of an overlap. */
+TUFF_HOT bool tuff_parts_contact(const tuff_terrain *piece, tuff_vec2 offset, tuff_mover *mover, tuff_real residue,
+                                 tuff_contact *contact);
 
 /* The frame call behind all collide calls. touches may be NULL. */
 uint16_t tuff_collide(const tuff_world *world, tuff_body *body, tuff_mover *mover, tuff_touches *touches);

@@ -48,16 +48,19 @@ static uint32_t edge_facing(const tuff_polygon *part, tuff_vec2 point)
     return best.number;
 }
 
-/* The best of the part's axes. Bit i of skipped: edge i is not to be chosen unless it separates. */
-static tuff_axis best_of_part(const tuff_polygon *part, const tuff_polygon *hull, tuff_vec2 offset, uint32_t skipped)
+static tuff_axis best_of_part(tuff_axis best, const tuff_polygon *part, const tuff_polygon *hull, tuff_vec2 offset)
 {
-    tuff_axis best = { TUFF_WIDE_LOWEST, 0 };
     uint32_t i;
-    for (i = 0; i < part->count; ++i) {
-        tuff_wide separation = separation_by(part, i, hull, offset);
-        if ((skipped >> i & 1u) != 0 && separation < 0) continue;
-        best = better_axis(best, separation, i);
-    }
+    for (i = 0; i < part->count; ++i) best = better_axis(best, separation_by(part, i, hull, offset), i);
+    return best;
+}
+
+static tuff_axis best_of_hull(tuff_axis best, const tuff_polygon *part, const tuff_polygon *hull, tuff_vec2 offset)
+{
+    const tuff_vec2 origin = { TUFF_WHOLE(0), TUFF_WHOLE(0) };
+    const tuff_vec2 position = tuff_vec2_sub(origin, offset);
+    uint32_t i;
+    for (i = 0; i < hull->count; ++i) best = better_axis(best, separation_by(hull, i, part, position), TUFF_MAX_VERTICES + i);
     return best;
 }
 
@@ -76,51 +79,41 @@ static uint8_t vertex_least_along(const tuff_polygon *polygon, tuff_unit2 axis)
     return vertex;
 }
 
-/* A hull's own axis counts as internal if, at the part's vertex that lies farthest against it, the nearer of the two
-   adjacent normals is an internal edge's. */
-static bool hull_axis_is_internal(const tuff_polygon *part, tuff_unit2 hull_normal)
+/* A hull's own axis counts as internal where the outline, at the part's vertex that lies farthest against it, has no such
+   normal. */
+static bool hull_axis_is_internal(const tuff_mover *mover, const tuff_polygon *part, tuff_unit2 hull_normal)
 {
-    if (part->internal_edges == 0) return false;
-    tuff_unit2 axis = tuff_unit2_negate(hull_normal);
-    uint8_t vertex = vertex_least_along(part, hull_normal);
-    uint8_t before = tuff_previous_index(vertex, part->count);
-    bool nearer_before = tuff_facing(part->normals[before], axis) > tuff_facing(part->normals[vertex], axis);
-    return tuff_edge_is_internal(part, nearer_before ? before : vertex);
+    if (part->internal_edges == 0 && !mover->seams) return false;
+    return tuff_corner_is_internal(mover, part, vertex_least_along(part, hull_normal), tuff_unit2_negate(hull_normal));
 }
 
-/* The better of it and the hull's axes. outline_only: axes that count as internal are not to be chosen unless they separate. */
-static tuff_axis best_of_hull(tuff_axis best, const tuff_polygon *part, const tuff_polygon *hull, tuff_vec2 position, bool outline_only)
+/* Is an axis no way out where the hull is: of an internal edge, or of one that it is not over or that another piece covers, or
+   a hull's own that counts as one? */
+static bool axis_is_internal(const tuff_mover *mover, tuff_vec2 offset, const tuff_polygon *part, uint32_t number)
 {
-    uint32_t i;
-    for (i = 0; i < hull->count; ++i) {
-        tuff_wide separation = separation_by(hull, i, part, position);
-        if (outline_only && separation < 0 && hull_axis_is_internal(part, hull->normals[i])) continue;
-        best = better_axis(best, separation, TUFF_MAX_VERTICES + i);
-    }
-    return best;
+    if (number >= TUFF_MAX_VERTICES) return hull_axis_is_internal(mover, part, mover->hull.normals[number - TUFF_MAX_VERTICES]);
+    if (tuff_edge_is_internal(part, number)) return true;
+    if (part->internal_edges != 0 && tuff_edge_beside(mover, offset, part, (uint8_t)number)) return true;
+    return mover->seams && tuff_edge_buried(mover, offset, part, (uint8_t)number);
 }
 
-static const tuff_polygon *with_normals(tuff_mover *mover)
+static void make_normals(tuff_mover *mover)
 {
     if (mover->hull.normals == NULL) {
         tuff_edge_normals(mover->hull.vertices, mover->hull.count, mover->scratch);
         mover->hull.normals = mover->scratch;
     }
-    return &mover->hull;
 }
 
-static tuff_standing axis_contact(const tuff_polygon *part, const tuff_polygon *hull, tuff_axis best, tuff_contact *contact)
+static tuff_standing axis_contact(const tuff_mover *mover, tuff_vec2 offset, const tuff_polygon *part, tuff_axis best,
+                                  tuff_contact *contact)
 {
     tuff_real overlap = tuff_narrow(-best.separation);
     if (!(overlap > 0)) return TUFF_APART;
     contact->overlap = overlap;
-    if (best.number < TUFF_MAX_VERTICES) {
-        contact->normal = part->normals[best.number];
-        return tuff_edge_is_internal(part, best.number) ? TUFF_BY_INTERNAL : TUFF_BY_OUTLINE;
-    }
-    tuff_unit2 normal = hull->normals[best.number - TUFF_MAX_VERTICES];
-    contact->normal = tuff_unit2_negate(normal);
-    return hull_axis_is_internal(part, normal) ? TUFF_BY_INTERNAL : TUFF_BY_OUTLINE;
+    contact->normal = best.number < TUFF_MAX_VERTICES ? part->normals[best.number]
+                                                      : tuff_unit2_negate(mover->hull.normals[best.number - TUFF_MAX_VERTICES]);
+    return axis_is_internal(mover, offset, part, best.number) ? TUFF_BY_INTERNAL : TUFF_BY_OUTLINE;
 }
 
 /* Mostly what is apart is apart along the edge of the part that faces the hull's position most. */
@@ -129,21 +122,49 @@ static bool facing_edge_separates(const tuff_polygon *part, const tuff_polygon *
     return separation_by(part, edge_facing(part, offset), hull, offset) >= 0;
 }
 
-static tuff_standing all_axes(tuff_mover *mover, tuff_vec2 offset, const tuff_polygon *part, bool outline_only, tuff_contact *contact)
+static tuff_standing all_axes(tuff_mover *mover, tuff_vec2 offset, const tuff_polygon *part, tuff_contact *contact)
 {
-    const tuff_vec2 origin = { TUFF_WHOLE(0), TUFF_WHOLE(0) };
-    tuff_axis best = best_of_part(part, &mover->hull, offset, outline_only ? part->internal_edges : 0);
+    tuff_axis best = { TUFF_WIDE_LOWEST, 0 };
+    best = best_of_part(best, part, &mover->hull, offset);
     if (best.separation >= 0) return TUFF_APART;
-    best = best_of_hull(best, part, with_normals(mover), tuff_vec2_sub(origin, offset), outline_only);
-    if (best.separation >= 0 || best.separation == TUFF_WIDE_LOWEST) return TUFF_APART;     /* lowest: no outline axis */
-    return axis_contact(part, &mover->hull, best, contact);
+    make_normals(mover);
+    best = best_of_hull(best, part, &mover->hull, offset);
+    return best.separation >= 0 ? TUFF_APART : axis_contact(mover, offset, part, best, contact);
 }
 
-TUFF_HOT tuff_standing tuff_hull_part(tuff_mover *mover, tuff_vec2 offset, const tuff_polygon *part, bool outline_only,
+static bool axis_is_skipped(const tuff_mover *mover, tuff_vec2 offset, const tuff_polygon *part, uint32_t number, tuff_skipped skipped)
+{
+    bool own = number >= TUFF_MAX_VERTICES;
+    tuff_unit2 normal = own ? tuff_unit2_negate(mover->hull.normals[number - TUFF_MAX_VERTICES]) : part->normals[number];
+    if (skipped == TUFF_SKIP_BACK) return tuff_leads_back(normal, offset);
+    return axis_is_internal(mover, offset, part, number);
+}
+
+/* The least of the axes that are not skipped, for a hull known to overlap; its normals are there. */
+static tuff_standing unskipped_axes(const tuff_mover *mover, tuff_vec2 offset, const tuff_polygon *part, tuff_skipped skipped,
+                                    tuff_contact *contact)
+{
+    const tuff_vec2 origin = { TUFF_WHOLE(0), TUFF_WHOLE(0) };
+    const tuff_vec2 position = tuff_vec2_sub(origin, offset);
+    tuff_axis best = { TUFF_WIDE_LOWEST, 0 };
+    uint32_t i;
+    for (i = 0; i < part->count; ++i) {
+        if (!axis_is_skipped(mover, offset, part, i, skipped)) best = better_axis(best, separation_by(part, i, &mover->hull, offset), i);
+    }
+    for (i = 0; i < mover->hull.count; ++i) {
+        uint32_t number = TUFF_MAX_VERTICES + i;
+        if (axis_is_skipped(mover, offset, part, number, skipped)) continue;
+        best = better_axis(best, separation_by(&mover->hull, i, part, position), number);
+    }
+    return best.separation == TUFF_WIDE_LOWEST ? TUFF_APART : axis_contact(mover, offset, part, best, contact);
+}
+
+TUFF_HOT tuff_standing tuff_hull_part(tuff_mover *mover, tuff_vec2 offset, const tuff_polygon *part, tuff_skipped skipped,
                                       tuff_contact *contact)
 {
+    if (skipped != TUFF_SKIP_NONE) return unskipped_axes(mover, offset, part, skipped, contact);
     if (facing_edge_separates(part, &mover->hull, offset)) return TUFF_APART;
-    return all_axes(mover, offset, part, outline_only, contact);
+    return all_axes(mover, offset, part, contact);
 }
 
 bool tuff_hull_mover(tuff_mover *mover, tuff_real radius, const tuff_polygon *hull, tuff_unit2 *scratch)
@@ -153,6 +174,8 @@ bool tuff_hull_mover(tuff_mover *mover, tuff_real radius, const tuff_polygon *hu
     mover->radius = tuff_flush(radius);
     mover->hull = *hull;
     mover->scratch = scratch;
+    mover->seams = false;
+    mover->neighbor_count = 0;
     return tuff_in_range(radius, TUFF_MAX_BOUNDING_RADIUS);
 }
 
@@ -167,5 +190,6 @@ TUFF_HOT bool tuff_polygon_polygon(const tuff_polygon *hull, tuff_vec2 offset, c
     if (!tuff_in_box(offset, TUFF_WHOLE(2 * TUFF_MAX_BOUNDING_RADIUS))) return false;
     if (facing_edge_separates(polygon, hull, flushed)) return false;
     (void)tuff_hull_mover(&mover, TUFF_WHOLE(0), hull, scratch);
-    return all_axes(&mover, flushed, polygon, false, contact) != TUFF_APART;
+    mover.piece = NULL;
+    return all_axes(&mover, flushed, polygon, contact) != TUFF_APART;
 }

@@ -27,6 +27,8 @@
 #define tuff_segment_terrain_intersect   TUFF_LINK_NAME(segment_terrain_intersect)
 #define tuff_segment_terrain_first_hit   TUFF_LINK_NAME(segment_terrain_first_hit)
 #define tuff_nearby_terrain              TUFF_LINK_NAME(nearby_terrain)
+#define tuff_substeps                    TUFF_LINK_NAME(substeps)
+#define tuff_polygon_thickness           TUFF_LINK_NAME(polygon_thickness)
 
 #define tuff_chunks_clear                TUFF_LINK_NAME(chunks_clear)
 #define tuff_chunks_insert               TUFF_LINK_NAME(chunks_insert)

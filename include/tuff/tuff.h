@@ -27,8 +27,8 @@
      if (tuff_terrain_collide(&world, &ship, TUFF_REAL(8), &ship_hull)) play_thud();
 
    Where the numbers break down. A body that moves farther in a step than it and a piece are thick jumps over the
-   piece: there is no swept motion. Float positions lose digits far from the origin: at 16,384 units a step of
-   position is 0.002. Q16.16 does not, but stops at 32,768. */
+   piece: there is no swept motion; tuff_substeps tells in how many steps to move it. Float positions lose digits far
+   from the origin: at 16,384 units a step of position is 0.002. Q16.16 does not, but stops at 32,768. */
 #ifndef TUFF_TUFF_H
 #define TUFF_TUFF_H
 

@@ -18,7 +18,9 @@ extern "C" {
    larger than a chunk last); without an index by ascending number. The cheapest.
 
    TUFF_ORDER_DEEPEST: the deepest contact of all first (ties: the lowest number), and all again after each push.
-   Costs at least one more pass; does not snag on flush seams and does not depend on the order of insertion. */
+   Costs at least one more pass; does not snag on flush seams and does not depend on the order of insertion. A hull that
+   has met 2 .. 8 pieces in the call is not pushed off a side that another of them covers, nor off a corner that another
+   rises from; it costs one more pass. */
 enum { TUFF_ORDER_ITERATION = 0, TUFF_ORDER_DEEPEST = 1 };
 
 /* Plain data, all of it the caller's. All zero: an empty world. */
@@ -76,6 +78,40 @@ uint16_t tuff_floater_collide(tuff_body *body, tuff_real radius, const tuff_terr
 uint16_t tuff_floater_collide_circle(tuff_body *body, tuff_real radius, const tuff_terrain *floaters, uint16_t count);
 uint16_t tuff_floater_collide_report(tuff_body *body, tuff_real radius, const tuff_terrain *floaters, uint16_t count,
                                      const tuff_polygon *hull, uint8_t order, tuff_touches *touches);
+
+/* In how many equal steps must a body make this motion, with a collide call after each, so that it gets over no piece?
+   1 for a slow one; never more than needed.
+
+     count = tuff_substeps(ship.velocity, TUFF_REAL(8), TUFF_REAL(6));
+     for (i = 0; i < count; ++i) {
+         ship.position.x += ship.velocity.x / count;
+         ship.position.y += ship.velocity.y / count;
+         tuff_terrain_collide(&world, &ship, TUFF_REAL(12), &hull);
+     }
+
+   radius: the circle's; of a hull the radius of a circle inside it, tuff_polygon_thickness(&hull) / 2. thickness: of the
+   thinnest piece, tuff_polygon_thickness of its one part, or twice the radius of its circle.
+
+   A step may be as long as radius + thickness / 2, less 4 LSB (fixed) or 2^-8 units (float) for what a push leaves over,
+   but need not be shorter than radius. Why: let the center's straight path lead over a point c, thickness / 2 inside a convex
+   piece, so that c is radius + thickness / 2 from the nearest way out for the body. The body begins outside, and from
+   there it is no farther into the piece than it has moved, while it has at least that far to go to any side that lies
+   ahead until it has come to c. So the nearest way out never leads on ahead, and a longer step may end beyond c, where it
+   does; one of more than 2 * radius + thickness may not meet the piece at all.
+
+   What the promise leaves out: paths that come nowhere thickness / 2 deep may cut a corner. With thickness 0 there are
+   none: the center then enters no piece. That is the number to give for pieces of several parts, too: a center that lies
+   within one part may find the way out of that part alone. The body must begin outside, and a restitution above 1 makes
+   steps longer while they are made.
+
+   At most 65535, which a radius and thickness near 0 reach: a point is kept out by no number of steps, but by
+   tuff_segment_terrain_first_hit from where it was to where it is. Negative or too large numbers, NaN, and motions
+   beyond TUFF_MAX_POSITION: 1, as the collide calls do nothing with them either. */
+uint16_t tuff_substeps(tuff_vec2 motion, tuff_real radius, tuff_real thickness);
+
+/* The diameter of a circle inside a convex polygon: the one about the mean of its vertices. A box's lesser side; of a
+   triangle two thirds of its least height. Normals are not needed. 0: no polygon, or none with an area. */
+tuff_real tuff_polygon_thickness(const tuff_polygon *polygon);
 
 /* Is anything between a and b? Touching counts. Stops at the first piece found. */
 bool tuff_segment_terrain_intersect(const tuff_world *world, tuff_vec2 a, tuff_vec2 b);

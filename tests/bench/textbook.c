@@ -12,6 +12,10 @@
 
 typedef int64_t product;            /* of which only the sign is wanted */
 
+/* Sums wrap, as machines do it. */
+static inline tuff_real plus(tuff_real a, tuff_real b)  { return (tuff_real)((uint32_t)a + (uint32_t)b); }
+static inline tuff_real less(tuff_real a, tuff_real b)  { return (tuff_real)((uint32_t)a - (uint32_t)b); }
+
 static inline tuff_real times(tuff_real a, tuff_real b)
 {
     return (tuff_real)(((int64_t)a * b) >> 16);
@@ -45,6 +49,8 @@ static tuff_real from_unit(tuff_unit value)
 
 typedef tuff_real product;
 
+static inline tuff_real plus(tuff_real a, tuff_real b)  { return a + b; }
+static inline tuff_real less(tuff_real a, tuff_real b)  { return a - b; }
 static inline tuff_real times(tuff_real a, tuff_real b) { return a * b; }
 static inline tuff_real over(tuff_real a, tuff_real b)  { return a / b; }
 static inline tuff_real root(tuff_real square)          { return sqrtf(square); }
@@ -58,7 +64,7 @@ typedef struct span { tuff_real low, high; } span;
 
 static inline tuff_real dot(tuff_vec2 a, tuff_vec2 b)
 {
-    return times(a.x, b.x) + times(a.y, b.y);
+    return plus(times(a.x, b.x), times(a.y, b.y));
 }
 
 static inline product cross(tuff_vec2 a, tuff_vec2 b)
@@ -68,7 +74,7 @@ static inline product cross(tuff_vec2 a, tuff_vec2 b)
 
 static inline tuff_vec2 minus(tuff_vec2 a, tuff_vec2 b)
 {
-    return (tuff_vec2){ a.x - b.x, a.y - b.y };
+    return (tuff_vec2){ less(a.x, b.x), less(a.y, b.y) };
 }
 
 static inline span project(const textbook_polygon *polygon, tuff_vec2 offset, tuff_vec2 axis)
@@ -80,15 +86,15 @@ static inline span project(const textbook_polygon *polygon, tuff_vec2 offset, tu
         if (at < s.low) s.low = at;
         if (at > s.high) s.high = at;
     }
-    return (span){ s.low + shift, s.high + shift };
+    return (span){ plus(s.low, shift), plus(s.high, shift) };
 }
 
 /* False: the axis separates them. Otherwise keeps the least overlap; the mid points say which way is out. */
 static inline bool compare(span mover, span obstacle, tuff_vec2 axis, textbook_contact *least)
 {
     if (mover.high <= obstacle.low || obstacle.high <= mover.low) return false;
-    bool forward = mover.low + mover.high >= obstacle.low + obstacle.high;
-    tuff_real overlap = forward ? obstacle.high - mover.low : mover.high - obstacle.low;
+    bool forward = plus(mover.low, mover.high) >= plus(obstacle.low, obstacle.high);
+    tuff_real overlap = forward ? less(obstacle.high, mover.low) : less(mover.high, obstacle.low);
     if (overlap >= least->overlap) return true;
     least->overlap = overlap;
     least->normal = forward ? axis : (tuff_vec2){ -axis.x, -axis.y };
@@ -99,7 +105,7 @@ static inline bool compare_circle(tuff_vec2 center, tuff_real radius, const text
                                   textbook_contact *least)
 {
     tuff_real at = dot(center, axis);
-    return compare((span){ at - radius, at + radius }, project(polygon, (tuff_vec2){ 0, 0 }, axis), axis, least);
+    return compare((span){ less(at, radius), plus(at, radius) }, project(polygon, (tuff_vec2){ 0, 0 }, axis), axis, least);
 }
 
 static tuff_vec2 from_nearest_vertex(tuff_vec2 center, const textbook_polygon *polygon)
@@ -191,8 +197,8 @@ void textbook_bounce(tuff_body *body, const textbook_contact *contact)
 {
     tuff_vec2 n = contact->normal;
     tuff_real speed = dot(body->velocity, n);
-    body->position.x += times(contact->overlap, n.x);
-    body->position.y += times(contact->overlap, n.y);
+    body->position.x = plus(body->position.x, times(contact->overlap, n.x));
+    body->position.y = plus(body->position.y, times(contact->overlap, n.y));
     if (speed >= 0) return;
     tuff_vec2 along = minus(body->velocity, (tuff_vec2){ times(speed, n.x), times(speed, n.y) });
     tuff_real back = times(speed, TUFF_RATIO(-9, 100));

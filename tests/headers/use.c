@@ -46,6 +46,7 @@ int use(void)
     tuff_touches touches = { &touch, 1, 0 };
     tuff_beam_hit hit;
     if (tuff_world_index(&world) != 0 || tuff_check_world(&world, NULL) != TUFF_OK) return 1;
+    if (tuff_substeps(body.velocity, TUFF_WHOLE(8), tuff_polygon_thickness(&part)) != 1) return 5;
     if (tuff_nearby_terrain(&world, body.position, TUFF_WHOLE(8)) != 1) return 2;
     if (!tuff_terrain_collide_report(&world, &body, TUFF_WHOLE(8), &part, &touches)) return 3;
     return tuff_segment_terrain_first_hit(&world, body.position, terrain[0].position, &hit) ? 0 : 4;

@@ -7,23 +7,9 @@
 
 #include "rocks.h"
 #include "same.h"
-
-enum { MIRROR, TURN_LEFT, TRANSFORMS };
-
-static const char *const transform_names[TRANSFORMS] = { "mirrored", "turned" };
+#include "turned.h"
 
 #define MOST_PIECES 8
-#define MOST_PARTS  (MOST_PIECES * ROCK_MAX_PARTS)
-
-static tuff_vec2 apply(int transform, tuff_vec2 v)
-{
-    return transform == MIRROR ? (tuff_vec2){ 0 - v.x, v.y } : (tuff_vec2){ 0 - v.y, v.x };
-}
-
-static tuff_unit2 apply_unit(int transform, tuff_unit2 n)
-{
-    return transform == MIRROR ? (tuff_unit2){ 0 - n.x, n.y } : (tuff_unit2){ 0 - n.y, n.x };
-}
 
 /* ---- comparing ---- */
 
@@ -47,37 +33,6 @@ static bool same_unit2(tuff_unit2 a, tuff_unit2 b, double tolerance)
 static bool same_contact(int transform, const tuff_contact *plain, const tuff_contact *turned)
 {
     return same_real(plain->overlap, turned->overlap, 1e-4) && same_unit2(apply_unit(transform, plain->normal), turned->normal, 1e-4);
-}
-
-/* ---- transformed copies ---- */
-
-typedef struct copies {
-    tuff_vec2    vertices[MOST_PARTS][TUFF_MAX_VERTICES];
-    tuff_unit2   normals[MOST_PARTS][TUFF_MAX_VERTICES];
-    tuff_polygon polygons[MOST_PARTS];
-    int          count;
-} copies;
-
-static const tuff_polygon *copy_polygon(copies *to, int transform, const tuff_polygon *from)
-{
-    int slot = to->count++;
-    for (int i = 0; i < from->count; i++) {
-        to->vertices[slot][i] = apply(transform, from->vertices[i]);
-        if (from->normals) to->normals[slot][i] = apply_unit(transform, from->normals[i]);
-    }
-    to->polygons[slot] = *from;
-    to->polygons[slot].vertices = to->vertices[slot];
-    to->polygons[slot].normals = from->normals ? to->normals[slot] : NULL;
-    return &to->polygons[slot];
-}
-
-static tuff_terrain copy_terrain(copies *to, int transform, const tuff_terrain *from)
-{
-    tuff_terrain made = *from;
-    made.position = apply(transform, from->position);
-    made.parts = from->parts ? &to->polygons[to->count] : NULL;
-    for (int i = 0; i < from->part_count; i++) copy_polygon(to, transform, &from->parts[i]);
-    return made;
 }
 
 /* ---- scenes ---- */
