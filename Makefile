@@ -69,7 +69,7 @@ SHAPES      := PYTHONPATH=tools/shapes $(SHAPE_TOOLS)/bin/python -m tuff_shapes
 
 # ---- Targets that people call
 
-.PHONY: all demo demo-program test bench bench-program gate-program bench-models chart stability picture shapes shape-tools rocks-draw install help clean
+.PHONY: all demo demo-program test bench bench-program gate-program bench-models chart stability picture single shapes shape-tools rocks-draw install help clean
 .PHONY: check-symbols FORCE
 .DELETE_ON_ERROR:
 .SECONDARY:
@@ -117,6 +117,9 @@ shape-tools: $(SHAPE_TOOLS)/ready ## get what shapes needs, into build/shape-too
 
 rocks-draw: $(SHAPE_TOOLS)/ready ## draw the pictures of the demo's rocks anew: ports/scene/rocks
 	$(SHAPE_TOOLS)/bin/python ports/scene/rocks/draw.py
+
+single: ## write the whole library as two files: build/single/tuff.h and tuff.c
+	@scripts/make-single $(BUILD)/single
 
 install: $(LIBRARIES) ## install headers, libraries, pkg-config files and CMake package: PREFIX, DESTDIR
 	$(INSTALL) -d '$(DESTDIR)$(PREFIX)/include/tuff' '$(DESTDIR)$(PREFIX)/$(LIBDIR)/pkgconfig' '$(DESTDIR)$(PREFIX)/$(LIBDIR)/cmake/tuff'

@@ -51,6 +51,15 @@ refuses() {
     return 1
 }
 
+# readme_programs: the C blocks of the README that hold a main, each into a file of its own, $work/readme-N.c; lists them.
+readme_programs() {
+    awk -v work="$work" '
+        /^```c[[:space:]]*$/ { inside = 1; text = ""; next }
+        /^```/ && inside     { inside = 0; if (text ~ /int main/) printf "%s", text > (work "/readme-" ++count ".c"); next }
+        inside               { text = text $0 "\n" }' README.md
+    ls "$work"/readme-*.c
+}
+
 # skip FACT REASON: where CI is set nothing may be missing.
 skip() {
     if test -n "${CI:-}"; then

@@ -5,9 +5,9 @@
    rounded outward, so that both builds visit every piece they must. */
 #include "inner.h"
 
-static int32_t lesser(int32_t a, int32_t b)                  { return a < b ? a : b; }
-static int32_t greater(int32_t a, int32_t b)                 { return a > b ? a : b; }
-static int32_t within(int32_t a, int32_t low, int32_t high)  { return lesser(greater(a, low), high); }
+static int32_t lesser32(int32_t a, int32_t b)                  { return a < b ? a : b; }
+static int32_t greater32(int32_t a, int32_t b)                 { return a > b ? a : b; }
+static int32_t within(int32_t a, int32_t low, int32_t high)  { return lesser32(greater32(a, low), high); }
 
 /* Which columns of this row a line may touch. For a center c within R of a point x of the line, with u and w the
    components of x - c, c's minor is that of the line at c's major, plus m u - w, and |m u - w| <= R sqrt(1 + m^2) by
@@ -20,8 +20,8 @@ static void find_columns(tuff_walk *walk)
     int32_t leave = within((walk->row + 1) * ((int32_t)1 << pitch), track->first, track->last);
     int32_t at_enter = track->minor + (int32_t)(((int64_t)track->slope * (enter - track->major)) >> 15);
     int32_t at_leave = track->minor + (int32_t)(((int64_t)track->slope * (leave - track->major)) >> 15);
-    walk->first_column = tuff_chunk_of(walk->chunks, greater(lesser(at_enter, at_leave) - track->margin, track->low));
-    walk->last_column = tuff_chunk_of(walk->chunks, lesser(greater(at_enter, at_leave) + track->margin, track->high));
+    walk->first_column = tuff_chunk_of(walk->chunks, greater32(lesser32(at_enter, at_leave) - track->margin, track->low));
+    walk->last_column = tuff_chunk_of(walk->chunks, lesser32(greater32(at_enter, at_leave) + track->margin, track->high));
 }
 
 static void open_chunk(tuff_walk *walk)
@@ -77,10 +77,10 @@ static void lay_track(tuff_track *track, int32_t to_major, int32_t to_minor, int
     int32_t steepness;
     track->slope = length == 0 ? 0 : (int32_t)((int64_t)rise * 32768 / length);
     steepness = track->slope < 0 ? -track->slope : track->slope;
-    track->first = lesser(track->major, to_major);
-    track->last = greater(track->major, to_major) + 1;
-    track->low = lesser(track->minor, to_minor) - reach;
-    track->high = greater(track->minor, to_minor) + 1 + reach;
+    track->first = lesser32(track->major, to_major);
+    track->last = greater32(track->major, to_major) + 1;
+    track->low = lesser32(track->minor, to_minor) - reach;
+    track->high = greater32(track->minor, to_minor) + 1 + reach;
     track->margin = reach + ((reach * steepness) >> 15) * 27 / 64 + 4 + ((track->last - track->first) >> 15);
 }
 
