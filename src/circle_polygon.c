@@ -24,35 +24,20 @@ static inline bool has_length(tuff_vec2 edge)
     return edge.x != 0 || edge.y != 0;
 }
 
-/* Back from vertex i, which the center lies behind, to the region it is in. An edge without length (the checks refuse
-   them) is no region and ends no walk. */
-static tuff_region region_behind(tuff_vec2 center, const tuff_polygon *polygon, uint8_t i)
+/* Onward from vertex i, or back, to the region that the center is in; it lies past the vertex. An edge without length (the
+   checks refuse them) is no region and ends no walk. */
+static tuff_region region_past(tuff_vec2 center, const tuff_polygon *polygon, uint8_t i, bool onward)
 {
     const tuff_vec2 *v = polygon->vertices;
     uint8_t steps;
     for (steps = polygon->count; steps > 0; --steps) {
-        uint8_t before = tuff_previous_index(i, polygon->count);
-        tuff_vec2 along = tuff_vec2_gap(v[i], v[before]);
-        if (tuff_dot(tuff_vec2_gap(center, v[i]), along) >= 0 && has_length(along)) return region_of(i, true);
-        if (tuff_dot(tuff_vec2_gap(center, v[before]), along) > 0) return region_of(before, false);
-        i = before;
+        uint8_t other = onward ? tuff_next_index(i, polygon->count) : tuff_previous_index(i, polygon->count);
+        tuff_vec2 along = tuff_vec2_gap(v[other], v[i]);
+        if (tuff_dot(tuff_vec2_gap(center, v[i]), along) <= 0 && has_length(along)) return region_of(i, true);
+        if (tuff_dot(tuff_vec2_gap(center, v[other]), along) < 0) return region_of(onward ? i : other, false);
+        i = other;
     }
     return region_of(i, false);     /* not convex */
-}
-
-/* The same onwards from vertex i, which the center lies beyond. */
-static tuff_region region_beyond(tuff_vec2 center, const tuff_polygon *polygon, uint8_t i)
-{
-    const tuff_vec2 *v = polygon->vertices;
-    uint8_t steps;
-    for (steps = polygon->count; steps > 0; --steps) {
-        uint8_t after = tuff_next_index(i, polygon->count);
-        tuff_vec2 along = tuff_vec2_gap(v[after], v[i]);
-        if (tuff_dot(tuff_vec2_gap(center, v[i]), along) <= 0 && has_length(along)) return region_of(i, true);
-        if (tuff_dot(tuff_vec2_gap(center, v[after]), along) < 0) return region_of(i, false);
-        i = after;
-    }
-    return region_of(i, false);
 }
 
 /* From the edge that faces the center most, walk to the region the center is in. Mostly no step is taken: it is the
@@ -67,8 +52,8 @@ static tuff_region find_region(tuff_vec2 center, const tuff_polygon *polygon, ui
         next = tuff_next_index(next, polygon->count);
     }
     tuff_vec2 along = tuff_vec2_gap(v[next], v[edge]);
-    if (tuff_dot(tuff_vec2_gap(center, v[edge]), along) < 0) return region_behind(center, polygon, edge);
-    if (tuff_dot(tuff_vec2_gap(center, v[next]), along) > 0) return region_beyond(center, polygon, next);
+    if (tuff_dot(tuff_vec2_gap(center, v[edge]), along) < 0) return region_past(center, polygon, edge, false);
+    if (tuff_dot(tuff_vec2_gap(center, v[next]), along) > 0) return region_past(center, polygon, next, true);
     return region_of(edge, false);
 }
 
