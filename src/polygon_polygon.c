@@ -105,14 +105,20 @@ static void make_normals(tuff_mover *mover)
     }
 }
 
+/* Which way a push along an axis goes. */
+static inline tuff_unit2 way_along(const tuff_mover *mover, const tuff_polygon *part, uint32_t number)
+{
+    if (number < TUFF_MAX_VERTICES) return part->normals[number];
+    return tuff_unit2_negate(mover->hull.normals[number - TUFF_MAX_VERTICES]);
+}
+
 static tuff_standing axis_contact(const tuff_mover *mover, tuff_vec2 offset, const tuff_polygon *part, tuff_axis best,
                                   tuff_contact *contact)
 {
     tuff_real overlap = tuff_narrow(-best.separation);
     if (!(overlap > 0)) return TUFF_APART;
     contact->overlap = overlap;
-    contact->normal = best.number < TUFF_MAX_VERTICES ? part->normals[best.number]
-                                                      : tuff_unit2_negate(mover->hull.normals[best.number - TUFF_MAX_VERTICES]);
+    contact->normal = way_along(mover, part, best.number);
     return axis_is_internal(mover, offset, part, best.number) ? TUFF_BY_INTERNAL : TUFF_BY_OUTLINE;
 }
 
@@ -134,9 +140,7 @@ static tuff_standing all_axes(tuff_mover *mover, tuff_vec2 offset, const tuff_po
 
 static bool axis_is_skipped(const tuff_mover *mover, tuff_vec2 offset, const tuff_polygon *part, uint32_t number, tuff_skipped skipped)
 {
-    bool own = number >= TUFF_MAX_VERTICES;
-    tuff_unit2 normal = own ? tuff_unit2_negate(mover->hull.normals[number - TUFF_MAX_VERTICES]) : part->normals[number];
-    if (skipped == TUFF_SKIP_BACK) return tuff_leads_back(normal, offset);
+    if (skipped == TUFF_SKIP_BACK) return tuff_leads_back(way_along(mover, part, number), offset);
     return axis_is_internal(mover, offset, part, number);
 }
 

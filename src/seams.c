@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: Zlib
    Copyright (c) 2026 the tuff authors
 
-   What is no way out for a hull: a corner between two parts of an outline that has no such normal there, and, where the hull
-   meets several pieces at once, a side that another piece covers and a corner that another piece rises from. */
+   What is no way out for a hull: a corner between two parts of an outline that has no such normal there, an edge that the hull
+   is only beside, and, where it meets several pieces at once, a side that another piece covers and a corner that another piece
+   rises from. */
 #include "inner.h"
 
 /* Is the point in the closed part, or out of it by no more than this? */

@@ -101,8 +101,8 @@ static int find_deepest(const world_fixture *w, const world_mover *m, const tuff
     return met;
 }
 
-/* The deepest contact of all, again and again; a push that moves the body nowhere, at the edge of the range or by less than its rounding, is
-   the last. *seams: a hull met several pieces, where it is not the contacts with each that tell the way out. */
+/* The deepest contact of all, again and again; a push that moves the body nowhere, at the edge of the range or by less than its rounding,
+   is the last. *seams: a hull met several pieces, where it is not the contacts with each that tell the way out. */
 static outcome retell_deepest(const world_fixture *w, const world_mover *m, bool *seams)
 {
     outcome o = { .body = m->body };
@@ -169,7 +169,8 @@ static bool deepest_right(random_source *source, world_fixture *w, const world_m
     outcome linear = collide(&w->world, m);
     w->world.chunks = &w->chunks;
     *pushes += told.pushes;
-    return (seams ? ways_out(w, m, &indexed) : same_outcome(&told, &indexed)) && same_outcome(&indexed, &again) && same_outcome(&indexed, &linear);
+    bool right = seams ? ways_out(w, m, &indexed) : same_outcome(&told, &indexed);
+    return right && same_outcome(&indexed, &again) && same_outcome(&indexed, &linear);
 }
 
 static const char *judge_deepest(random_source *source, world_fixture *w, world_mover *m, uint32_t *pushes)

@@ -8,6 +8,11 @@
 typedef struct border { way_point a, b; int owner; double distance; } border;
 #define MOST_BORDERS (2 * ROCK_MAX_PARTS * 16)
 
+static double way_cross(way_point a, way_point b)
+{
+    return a.x * b.y - a.y * b.x;
+}
+
 static way_point nearest_on(way_point a, way_point b, way_point p)
 {
     way_point along = way_between(b, a);

@@ -11,7 +11,6 @@
 typedef struct way_point { double x, y; } way_point;
 
 static inline way_point way_between(way_point a, way_point b)    { return (way_point){ a.x - b.x, a.y - b.y }; }
-static inline double way_cross(way_point a, way_point b)         { return a.x * b.y - a.y * b.x; }
 static inline double way_dot(way_point a, way_point b)           { return a.x * b.x + a.y * b.y; }
 static inline double way_length(way_point a, way_point b)        { return hypot(a.x - b.x, a.y - b.y); }
 static inline way_point way_point_of(tuff_vec2 v)                { return (way_point){ units_of(v.x), units_of(v.y) }; }

@@ -188,13 +188,3 @@ void yardstick_set(yardstick *yard, int body, yardstick_state state)
     b->SetTransform(meters(state.position), 0.0f);
     b->SetLinearVelocity(meters_per_second(state.velocity));
 }
-
-int yardstick_contacts(const yardstick *yard, int body)
-{
-    int count = 0;
-    const b2Body *b = yard->bodies[static_cast<std::size_t>(body)];
-    for (const b2ContactEdge *edge = b->GetContactList(); edge; edge = edge->next) {
-        if (edge->contact->IsTouching()) count++;
-    }
-    return count;
-}

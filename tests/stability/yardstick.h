@@ -41,9 +41,6 @@ void yardstick_step(yardstick *yard);
 yardstick_state yardstick_body(const yardstick *yard, int body);
 void yardstick_set(yardstick *yard, int body, yardstick_state state);
 
-/* Contacts that press now, of this body. */
-int yardstick_contacts(const yardstick *yard, int body);
-
 #ifdef __cplusplus
 }
 #endif
