@@ -65,9 +65,11 @@ static inline tuff_unit2 tuff_unit2_negate(tuff_unit2 n)
 }
 
 static inline tuff_wide tuff_project(tuff_unit2 n, tuff_vec2 v) { return n.x * v.x + n.y * v.y; }
+static inline float tuff_roughly(tuff_wide a)                   { return a; }
 static inline tuff_wide tuff_facing(tuff_unit2 a, tuff_unit2 b) { return a.x * b.x + a.y * b.y; }
 static inline tuff_area tuff_dot(tuff_vec2 a, tuff_vec2 b)      { return a.x * b.x + a.y * b.y; }
 static inline tuff_area tuff_cross(tuff_vec2 a, tuff_vec2 b)    { return a.x * b.y - a.y * b.x; }
+
 static inline tuff_area tuff_area_sub(tuff_area a, tuff_area b) { return a - b; }
 static inline tuff_area tuff_area_add(tuff_area a, tuff_area b) { return a + b; }
 static inline tuff_wide tuff_wide_add(tuff_wide a, tuff_wide b) { return a + b; }
@@ -117,6 +119,18 @@ static inline bool tuff_in_box(tuff_vec2 a, tuff_real limit)
     return tuff_abs(a.x) < limit && tuff_abs(a.y) < limit;
 }
 
+/* Half the side of a square that covers a and b, and its center, by a unit to spare for its rounding. */
+static inline tuff_real tuff_middle(tuff_vec2 a, tuff_vec2 b, tuff_vec2 *center)
+{
+    tuff_vec2 first = tuff_vec2_flush(a);
+    tuff_vec2 last = tuff_vec2_flush(b);
+    float x = tuff_abs(last.x - first.x);
+    float y = tuff_abs(last.y - first.y);
+    center->x = tuff_flush(first.x + last.x) * 0.5f;
+    center->y = tuff_flush(first.y + last.y) * 0.5f;
+    return (x > y ? x : y) * 0.5f + 1.0f;
+}
+
 /* a - b if it lies inside the open circle of this radius; else false, for NaN too. */
 static inline bool tuff_offset_within(tuff_vec2 a, tuff_vec2 b, tuff_real radius, tuff_vec2 *offset)
 {
@@ -126,12 +140,20 @@ static inline bool tuff_offset_within(tuff_vec2 a, tuff_vec2 b, tuff_real radius
     return tuff_dot(*offset, *offset) < tuff_square_of(radius);
 }
 
-/* Do the closed circles about a and b touch? */
+/* Do the closed squares about a and b touch? a is flushed. False for NaN. */
+static inline bool tuff_squares_touch(tuff_vec2 a, tuff_real a_half, tuff_vec2 b, tuff_real b_half)
+{
+    float reach = tuff_flush(a_half) + tuff_flush(b_half);
+    tuff_vec2 d = tuff_vec2_gap(a, b);
+    return tuff_abs(d.x) <= reach && tuff_abs(d.y) <= reach;
+}
+
+/* Do the closed circles about a and b touch? a is flushed. */
 static inline bool tuff_circles_touch(tuff_vec2 a, tuff_real a_radius, tuff_vec2 b, tuff_real b_radius)
 {
     float reach = tuff_flush(a_radius) + tuff_flush(b_radius);
     tuff_vec2 d = tuff_vec2_gap(a, b);
-    return tuff_abs(d.x) <= reach && tuff_abs(d.y) <= reach && tuff_dot(d, d) <= reach * reach;
+    return tuff_squares_touch(a, a_radius, b, b_radius) && tuff_dot(d, d) <= reach * reach;
 }
 
 /* What a push may leave over, and the last digits of positions: at 32,768 units 1e-4, and one and a half times 2^-9. */
@@ -156,24 +178,24 @@ static inline tuff_real tuff_pushed(tuff_real position, tuff_real overlap, tuff_
 typedef tuff_vec2 tuff_far2;
 
 static inline tuff_far2 tuff_far_sub(tuff_vec2 a, tuff_vec2 b)          { return tuff_vec2_gap(a, b); }
-static inline float tuff_far_dot(tuff_far2 a, tuff_far2 b)              { return tuff_dot(a, b); }
-static inline float tuff_far_cross(tuff_far2 a, tuff_far2 b)            { return tuff_cross(a, b); }
+static inline float tuff_far_dot(const tuff_far2 *a, const tuff_far2 *b)      { return tuff_dot(*a, *b); }
+static inline float tuff_far_cross(const tuff_far2 *a, const tuff_far2 *b)    { return tuff_cross(*a, *b); }
 
 /* d x p for every p of the line through a and b, by their middle: it is the same from either end, and near the obstacle
    where both ends are far. */
-static inline float tuff_line_across(tuff_far2 d, tuff_far2 a, tuff_far2 b)
+static inline float tuff_line_across(const tuff_far2 *d, const tuff_far2 *a, const tuff_far2 *b)
 {
-    tuff_vec2 middle = { tuff_flush(a.x + b.x) * 0.5f, tuff_flush(a.y + b.y) * 0.5f };
-    return tuff_cross(d, middle);
+    tuff_vec2 middle = { tuff_flush(a->x + b->x) * 0.5f, tuff_flush(a->y + b->y) * 0.5f };
+    return tuff_cross(*d, middle);
 }
 
-static inline float tuff_far_cross_near(tuff_far2 d, tuff_vec2 v)       { return tuff_cross(d, v); }
+static inline float tuff_far_cross_near(const tuff_far2 *d, tuff_vec2 v)      { return tuff_cross(*d, v); }
 
 /* How far p lies outside of edge i. */
-static inline tuff_area tuff_edge_outside(const tuff_polygon *polygon, uint8_t i, bool forward, tuff_far2 p)
+static inline tuff_area tuff_edge_outside(const tuff_polygon *polygon, uint8_t i, bool forward, const tuff_far2 *p)
 {
     (void)forward;
-    return tuff_project(polygon->normals[i], tuff_vec2_sub(p, polygon->vertices[i]));
+    return tuff_project(polygon->normals[i], tuff_vec2_sub(*p, polygon->vertices[i]));
 }
 
 /* The normals tell. */
@@ -185,16 +207,31 @@ static inline bool tuff_turns_forward(const tuff_polygon *polygon)
 
 /* How far parts reach beyond the inner edge that they share, so that the line's and the edge's rounding cannot both miss a
    beam along it: 2^-11 units, or 2^-22 of the beam's length if that is more. */
-static inline tuff_area tuff_seam_margin(tuff_far2 d)
+static inline tuff_area tuff_seam_margin(const tuff_far2 *d)
 {
-    float length = tuff_abs(d.x) + tuff_abs(d.y);
+    float length = tuff_abs(d->x) + tuff_abs(d->y);
     return length > 2048.0f ? length * 2.3841858e-7f : 4.8828125e-4f;
 }
 
-/* Is p inside the closed disc about the origin? */
-static inline bool tuff_far_inside(tuff_far2 p, tuff_real radius)
+static inline bool tuff_far_narrow(tuff_far2 p, tuff_vec2 *narrow)
 {
-    return tuff_abs(p.x) <= radius && tuff_abs(p.y) <= radius && tuff_dot(p, p) <= tuff_square_of(radius);
+    *narrow = p;
+    return true;
+}
+
+/* No way is quicker than the general one. */
+static inline tuff_verdict tuff_near_verdict(const tuff_vec2 *a, const tuff_vec2 *b, const tuff_polygon *polygon)
+{
+    (void)a;
+    (void)b;
+    (void)polygon;
+    return TUFF_UNSURE;
+}
+
+/* Is p inside the closed disc about the origin? */
+static inline bool tuff_far_inside(const tuff_far2 *p, tuff_real radius)
+{
+    return tuff_abs(p->x) <= radius && tuff_abs(p->y) <= radius && tuff_dot(*p, *p) <= tuff_square_of(radius);
 }
 
 #endif

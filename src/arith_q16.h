@@ -59,10 +59,11 @@ static inline int64_t tuff_dot32(int32_t ax, int32_t ay, int32_t bx, int32_t by)
 }
 
 static inline tuff_wide tuff_project(tuff_unit2 n, tuff_vec2 v)    { return tuff_dot32(n.x, n.y, v.x, v.y); }
+static inline int32_t tuff_roughly(tuff_wide a)                    { return (int32_t)(a >> 32); }
 static inline tuff_wide tuff_facing(tuff_unit2 a, tuff_unit2 b)    { return tuff_dot32(a.x, a.y, b.x, b.y); }
 static inline tuff_area tuff_dot(tuff_vec2 a, tuff_vec2 b)         { return tuff_dot32(a.x, a.y, b.x, b.y); }
 static inline tuff_area tuff_square_of(tuff_real a)                { return (int64_t)a * a; }
-static inline tuff_wide tuff_widen(tuff_real a)                    { return (int64_t)a * TUFF_UNIT_ONE; }
+static inline tuff_wide tuff_widen(tuff_real a)                    { return (int64_t)((uint64_t)(uint32_t)a << TUFF_UNIT_BITS); }
 
 static inline tuff_area tuff_area_sub(tuff_area a, tuff_area b)    { return (int64_t)((uint64_t)a - (uint64_t)b); }
 static inline tuff_area tuff_area_add(tuff_area a, tuff_area b)    { return (int64_t)((uint64_t)a + (uint64_t)b); }
@@ -82,11 +83,12 @@ static inline tuff_area tuff_cross(tuff_vec2 a, tuff_vec2 b)
     return (int64_t)((uint64_t)((int64_t)a.x * b.y) - (uint64_t)((int64_t)a.y * b.x));
 }
 
-/* To nearest, halves away from zero. */
+/* To nearest, halves away from zero: of a negative number, rounded down by its shift, a half and all below go down if one less than a half
+   is added. */
 static inline int64_t tuff_shift_nearest(int64_t a, unsigned bits)
 {
     int64_t half = (int64_t)1 << (bits - 1);
-    return a < 0 ? -((half - a) >> bits) : (a + half) >> bits;
+    return (a + (half + (a >> 63))) >> bits;
 }
 
 static inline tuff_real tuff_narrow(tuff_wide a)
@@ -115,7 +117,7 @@ static inline tuff_real tuff_residue(tuff_vec2 position, tuff_real size)
 
 /* Whole units below and above. */
 static inline int32_t tuff_floor(tuff_real a) { return a >> TUFF_REAL_BITS; }
-static inline int32_t tuff_ceil(tuff_real a)  { return (int32_t)(((int64_t)a + 65535) >> TUFF_REAL_BITS); }
+static inline int32_t tuff_ceil(tuff_real a)  { return (a >> TUFF_REAL_BITS) + ((a & 0xFFFF) != 0 ? 1 : 0); }
 
 /* Within a square about the origin? */
 static inline bool tuff_in_box(tuff_vec2 a, tuff_real limit)
@@ -123,15 +125,35 @@ static inline bool tuff_in_box(tuff_vec2 a, tuff_real limit)
     return a.x < limit && a.x > -limit && a.y < limit && a.y > -limit;
 }
 
+/* |a - b|, which may have 32 bits. */
+static inline uint32_t tuff_apart(tuff_real a, tuff_real b)
+{
+    return a > b ? (uint32_t)a - (uint32_t)b : (uint32_t)b - (uint32_t)a;
+}
+
+/* Do the closed squares about a and b touch? Half sides of 0 or more. */
+static inline bool tuff_squares_touch(tuff_vec2 a, tuff_real a_half, tuff_vec2 b, tuff_real b_half)
+{
+    uint32_t reach = (uint32_t)a_half + (uint32_t)b_half;
+    return tuff_apart(a.x, b.x) <= reach && tuff_apart(a.y, b.y) <= reach;
+}
+
+/* Half the side of a square that covers a and b, and its center, which halves rounded down put off by less than 1. */
+static inline tuff_real tuff_middle(tuff_vec2 a, tuff_vec2 b, tuff_vec2 *center)
+{
+    uint32_t x = tuff_apart(a.x, b.x);
+    uint32_t y = tuff_apart(a.y, b.y);
+    center->x = (a.x >> 1) + (b.x >> 1);
+    center->y = (a.y >> 1) + (b.y >> 1);
+    return (tuff_real)(((x > y ? x : y) >> 1) + 2);
+}
+
 /* a - b if it lies inside the open circle of this radius (0 .. 2 * TUFF_MAX_BOUNDING_RADIUS); else false. The box
-   first: it keeps the squares within 64 bits. */
+   first: it keeps the difference within 32 bits and the squares within 64. */
 static inline bool tuff_offset_within(tuff_vec2 a, tuff_vec2 b, tuff_real radius, tuff_vec2 *offset)
 {
-    int64_t x = (int64_t)a.x - b.x;
-    int64_t y = (int64_t)a.y - b.y;
-    if (x >= radius || x <= -(int64_t)radius || y >= radius || y <= -(int64_t)radius) return false;
-    offset->x = (tuff_real)x;
-    offset->y = (tuff_real)y;
+    if (tuff_apart(a.x, b.x) >= (uint32_t)radius || tuff_apart(a.y, b.y) >= (uint32_t)radius) return false;
+    *offset = tuff_vec2_sub(a, b);
     return tuff_dot(*offset, *offset) < tuff_square_of(radius);
 }
 
@@ -139,12 +161,10 @@ static inline bool tuff_offset_within(tuff_vec2 a, tuff_vec2 b, tuff_real radius
    box the sum of the squares could reach 2^65: it is compared by a subtraction instead. */
 static inline bool tuff_circles_touch(tuff_vec2 a, tuff_real a_radius, tuff_vec2 b, tuff_real b_radius)
 {
-    int64_t reach = (int64_t)a_radius + b_radius;
-    int64_t x = (int64_t)a.x - b.x;
-    int64_t y = (int64_t)a.y - b.y;
-    if (x > reach || x < -reach || y > reach || y < -reach) return false;
-    uint64_t room = (uint64_t)reach * (uint64_t)reach - (uint64_t)(x < 0 ? -x : x) * (uint64_t)(x < 0 ? -x : x);
-    return (uint64_t)(y < 0 ? -y : y) * (uint64_t)(y < 0 ? -y : y) <= room;
+    uint64_t reach = (uint32_t)a_radius + (uint32_t)b_radius;
+    uint64_t x = tuff_apart(a.x, b.x);
+    uint64_t y = tuff_apart(a.y, b.y);
+    return x <= reach && y <= reach && y * y <= reach * reach - x * x;
 }
 
 /* What a push may leave over, and as much again. */
@@ -165,6 +185,11 @@ static inline tuff_real tuff_pushed(tuff_real position, tuff_real overlap, tuff_
     return (tuff_real)(moved > TUFF_INT32_MAX ? TUFF_INT32_MAX : moved < TUFF_INT32_MIN ? TUFF_INT32_MIN : moved);
 }
 
+#define tuff_farthest_edge  TUFF_LINK_NAME(farthest_edge)
+
+/* The edge whose line the point is farthest beyond, the lowest of equals; or one found on the way that it is surely beyond. */
+TUFF_HOT uint32_t tuff_farthest_edge(const tuff_polygon *polygon, const tuff_vec2 *point, tuff_wide *separation);
+
 /* --- beams ------------------------------------------------------------------------------------------------- */
 
 typedef struct tuff_far2 { tuff_far x, y; } tuff_far2;
@@ -179,69 +204,60 @@ static inline tuff_far2 tuff_far_sub(tuff_vec2 a, tuff_vec2 b)
     return difference;
 }
 
-/* a * b + c * d of 34-bit factors: exact where it is within 2^61 - 2^51, else +-TUFF_FAR_HUGE. High and low words of
-   b and d: |high| < 2^18, so that the sum of the high products has at most 53 bits, that of the low ones at most 51. */
-static inline int64_t tuff_far_sum(int64_t a, int64_t b, int64_t c, int64_t d)
+/* Does a difference fit 32 bits? Then *narrow is it. */
+static inline bool tuff_far_narrow(tuff_far2 p, tuff_vec2 *narrow)
 {
-    int64_t high = a * (b >> 16) + c * (d >> 16);
-    int64_t low = a * (b & 0xFFFF) + c * (d & 0xFFFF);
-    if (high > (int64_t)1 << 45) return TUFF_FAR_HUGE;
-    if (high < -((int64_t)1 << 45)) return -TUFF_FAR_HUGE;
-    return high * 65536 + low;
-}
-
-static inline int64_t tuff_far_dot(tuff_far2 a, tuff_far2 b)   { return tuff_far_sum(a.x, b.x, a.y, b.y); }
-static inline int64_t tuff_far_cross(tuff_far2 a, tuff_far2 b) { return tuff_far_sum(a.x, b.y, -a.y, b.x); }
-
-/* d x p for every p of the line through a and b. */
-static inline int64_t tuff_line_across(tuff_far2 d, tuff_far2 a, tuff_far2 b)
-{
-    (void)b;
-    return tuff_far_cross(d, a);
+    narrow->x = (int32_t)p.x;
+    narrow->y = (int32_t)p.y;
+    return narrow->x == p.x && narrow->y == p.y;
 }
 
 /* d x v: 33 and 27 bits. */
-static inline int64_t tuff_far_cross_near(tuff_far2 d, tuff_vec2 v)
+static inline int64_t tuff_far_cross_near(const tuff_far2 *d, tuff_vec2 v)
 {
-    return (int64_t)((uint64_t)d.x * (uint64_t)(int64_t)v.y - (uint64_t)d.y * (uint64_t)(int64_t)v.x);
-}
-
-/* Does index order go round from +x to +y? Asked of the first edge that has a length and a normal: the normal is
-   outward. */
-static inline bool tuff_turns_forward(const tuff_polygon *polygon)
-{
-    uint8_t i;
-    for (i = 0; i < polygon->count; ++i) {
-        tuff_vec2 right = tuff_right_of(polygon->vertices[i], polygon->vertices[i + 1 == polygon->count ? 0 : i + 1]);
-        tuff_wide facing = tuff_project(polygon->normals[i], right);
-        if (facing != 0) return facing > 0;
-    }
-    return true;
-}
-
-/* How far p lies outside of edge i, times the edge's length; forward: tuff_turns_forward. Exact: 28 by 34 bits, twice. */
-static inline tuff_area tuff_edge_outside(const tuff_polygon *polygon, uint8_t i, bool forward, tuff_far2 p)
-{
-    tuff_vec2 from = polygon->vertices[i];
-    tuff_vec2 to = polygon->vertices[i + 1 == polygon->count ? 0 : i + 1];
-    int64_t ex = (int64_t)to.x - from.x;
-    int64_t ey = (int64_t)to.y - from.y;
-    uint64_t right = (uint64_t)ey * (uint64_t)(p.x - from.x) - (uint64_t)ex * (uint64_t)(p.y - from.y);
-    return (int64_t)(forward ? right : 0u - right);
+    return (int64_t)((uint64_t)d->x * (uint64_t)(int64_t)v.y - (uint64_t)d->y * (uint64_t)(int64_t)v.x);
 }
 
 /* A seam between two parts needs no margin where sides are exact. */
-static inline tuff_area tuff_seam_margin(tuff_far2 d)
+static inline tuff_area tuff_seam_margin(const tuff_far2 *d)
 {
     (void)d;
     return 0;
 }
 
-/* Is p inside the closed disc about the origin? */
-static inline bool tuff_far_inside(tuff_far2 p, tuff_real radius)
+#define tuff_far_dot        TUFF_LINK_NAME(far_dot)
+#define tuff_far_cross      TUFF_LINK_NAME(far_cross)
+#define tuff_edge_outside   TUFF_LINK_NAME(edge_outside)
+#define tuff_turns_forward  TUFF_LINK_NAME(turns_forward)
+#define tuff_near_verdict   TUFF_LINK_NAME(near_verdict)
+
+/* 64-bit products are calls on small machines: these are there once. Factors of 34 bits. */
+tuff_area tuff_far_dot(const tuff_far2 *a, const tuff_far2 *b);
+tuff_area tuff_far_cross(const tuff_far2 *a, const tuff_far2 *b);
+
+/* d x p for every p of the line through a and b. */
+static inline tuff_area tuff_line_across(const tuff_far2 *d, const tuff_far2 *a, const tuff_far2 *b)
 {
-    if (p.x > radius || p.x < -(int64_t)radius || p.y > radius || p.y < -(int64_t)radius) return false;
-    return (uint64_t)(p.x * p.x) + (uint64_t)(p.y * p.y) <= (uint64_t)tuff_square_of(radius);
+    (void)b;
+    return tuff_far_cross(d, a);
 }
+
+/* Is p inside the closed disc about the origin? */
+static inline bool tuff_far_inside(const tuff_far2 *p, tuff_real radius)
+{
+    tuff_vec2 narrow;
+    return tuff_far_narrow(*p, &narrow) && (uint64_t)tuff_dot(narrow, narrow) <= (uint64_t)tuff_square_of(radius);
+}
+
+/* Does index order go round from +x to +y? Asked of the first edge that has a length and a normal: the normal is
+   outward. */
+bool tuff_turns_forward(const tuff_polygon *polygon);
+
+/* How far p lies outside of edge i, times the edge's length; forward: tuff_turns_forward. Exact: 28 by 34 bits, twice. */
+tuff_area tuff_edge_outside(const tuff_polygon *polygon, uint8_t i, bool forward, const tuff_far2 *p);
+
+/* Unsure: an end is far; or the first vertex lies on the line and none to its right, which the other order of the ends settles
+   unless all lie on it. */
+TUFF_HOT tuff_verdict tuff_near_verdict(const tuff_vec2 *a, const tuff_vec2 *b, const tuff_polygon *polygon);
 
 #endif

@@ -1,60 +1,18 @@
 /* SPDX-License-Identifier: Zlib
    Copyright (c) 2026 the tuff authors
 
-   Circle against convex polygon. The signed distance to the polygon is the largest signed distance to its edge lines
-   wherever the nearest point lies on an edge, so one dot product an edge finds a separating axis or the nearest
-   edge; only where that edge's end is nearer is there a square root to take (Ericson, Real-Time Collision Detection,
+   Circle against convex polygon. From any edge whose line the center is beyond, the way round the polygon to the Voronoi region
+   that it is in is a short one; inside, the edge with the largest signed distance to its line is the nearest. One dot product an
+   edge finds either, and only where a vertex is nearest is there a square root to take (Ericson, Real-Time Collision Detection,
    5.1 and 5.5.7). */
 #include "inner.h"
 
-/* The Voronoi region of the center: an edge's or that of the vertex where the edge begins. */
-typedef struct tuff_region {
-    uint8_t edge;
-    bool    at_vertex;
-} tuff_region;
-
-static tuff_region region_of(uint8_t edge, bool at_vertex)
-{
-    tuff_region region = { edge, at_vertex };
-    return region;
-}
+/* tuff_outer_edge: of a part, an edge that a point is beyond, or the one that it is farthest beyond */
+#include TUFF_EDGE_SEARCH
 
 static inline bool has_length(tuff_vec2 edge)
 {
     return edge.x != 0 || edge.y != 0;
-}
-
-/* Onward from vertex i, or back, to the region that the center is in; it lies past the vertex. An edge without length (the
-   checks refuse them) is no region and ends no walk. */
-static tuff_region region_past(tuff_vec2 center, const tuff_polygon *polygon, uint8_t i, bool onward)
-{
-    const tuff_vec2 *v = polygon->vertices;
-    uint8_t steps;
-    for (steps = polygon->count; steps > 0; --steps) {
-        uint8_t other = onward ? tuff_next_index(i, polygon->count) : tuff_previous_index(i, polygon->count);
-        tuff_vec2 along = tuff_vec2_gap(v[other], v[i]);
-        if (tuff_dot(tuff_vec2_gap(center, v[i]), along) <= 0 && has_length(along)) return region_of(i, true);
-        if (tuff_dot(tuff_vec2_gap(center, v[other]), along) < 0) return region_of(onward ? i : other, false);
-        i = other;
-    }
-    return region_of(i, false);     /* not convex */
-}
-
-/* From the edge that faces the center most, walk to the region the center is in. Mostly no step is taken: it is the
-   edge itself or one of its ends. Where edges are nearly in line, rounded projections may favor an edge farther on;
-   exact products of the edges do not. An edge without length has the next one's normal. */
-static tuff_region find_region(tuff_vec2 center, const tuff_polygon *polygon, uint8_t edge)
-{
-    const tuff_vec2 *v = polygon->vertices;
-    uint8_t next = tuff_next_index(edge, polygon->count);
-    while (!has_length(tuff_vec2_gap(v[next], v[edge])) && next != 0) {
-        edge = next;
-        next = tuff_next_index(next, polygon->count);
-    }
-    tuff_vec2 along = tuff_vec2_gap(v[next], v[edge]);
-    if (tuff_dot(tuff_vec2_gap(center, v[edge]), along) < 0) return region_past(center, polygon, edge, false);
-    if (tuff_dot(tuff_vec2_gap(center, v[next]), along) > 0) return region_past(center, polygon, next, true);
-    return region_of(edge, false);
 }
 
 static tuff_standing standing_at(const tuff_polygon *polygon, uint32_t edge)
@@ -62,9 +20,13 @@ static tuff_standing standing_at(const tuff_polygon *polygon, uint32_t edge)
     return tuff_edge_is_internal(polygon, edge) ? TUFF_BY_INTERNAL : TUFF_BY_OUTLINE;
 }
 
-static tuff_standing edge_contact(tuff_real radius, const tuff_polygon *polygon, uint32_t edge, tuff_wide separation, tuff_contact *contact)
+static inline tuff_real overlap_by(tuff_real radius, tuff_wide separation)
 {
-    tuff_real overlap = tuff_narrow(tuff_widen(radius) - separation);
+    return tuff_narrow(tuff_widen(radius) - separation);
+}
+
+static tuff_standing edge_contact(const tuff_polygon *polygon, uint32_t edge, tuff_real overlap, tuff_contact *contact)
+{
     if (!(overlap > 0)) return TUFF_APART;
     contact->overlap = overlap;
     contact->normal = polygon->normals[edge];
@@ -72,24 +34,25 @@ static tuff_standing edge_contact(tuff_real radius, const tuff_polygon *polygon,
 }
 
 /* Of the two edges that meet at a vertex, the one that faces the center more tells. */
-static tuff_standing standing_at_vertex(tuff_vec2 center, const tuff_polygon *polygon, uint8_t vertex)
+static tuff_standing standing_at_vertex(tuff_vec2 from, const tuff_polygon *polygon, uint32_t vertex)
 {
-    uint8_t before = tuff_previous_index(vertex, polygon->count);
-    tuff_vec2 d = tuff_vec2_sub(center, polygon->vertices[vertex]);
-    bool faces_before = tuff_project(polygon->normals[before], d) > tuff_project(polygon->normals[vertex], d);
+    uint32_t before = vertex == 0 ? polygon->count - 1u : vertex - 1;
+    bool faces_before = tuff_project(polygon->normals[before], from) > tuff_project(polygon->normals[vertex], from);
     return standing_at(polygon, faces_before ? before : vertex);
 }
 
-static tuff_standing vertex_contact(tuff_vec2 center, tuff_real radius, const tuff_polygon *polygon, uint8_t vertex, tuff_contact *contact)
+/* from: from the vertex to the center. */
+static tuff_standing vertex_contact(tuff_vec2 from, tuff_real radius, const tuff_polygon *polygon, uint32_t vertex, tuff_contact *contact)
 {
-    tuff_vec2 d = tuff_vec2_gap(center, polygon->vertices[vertex]);
-    tuff_unit2 normal = polygon->normals[vertex];
-    if (tuff_dot(d, d) >= tuff_square_of(radius)) return TUFF_APART;
-    tuff_real overlap = radius - tuff_normalize(d, &normal);
+    tuff_unit2 normal;
+    if (tuff_dot(from, from) >= tuff_square_of(radius)) return TUFF_APART;
+    tuff_real distance = tuff_normalize(from, &normal);
+    tuff_real overlap = radius - distance;
     if (!(overlap > 0)) return TUFF_APART;
+    if (!(distance > 0)) normal = polygon->normals[vertex];
     contact->overlap = overlap;
     contact->normal = normal;
-    return polygon->internal_edges == 0 ? TUFF_BY_OUTLINE : standing_at_vertex(center, polygon, vertex);
+    return polygon->internal_edges == 0 ? TUFF_BY_OUTLINE : standing_at_vertex(from, polygon, vertex);
 }
 
 static bool is_skipped(const tuff_polygon *polygon, uint8_t edge, tuff_vec2 center, tuff_skipped skipped)
@@ -112,71 +75,115 @@ static tuff_standing unskipped_contact(tuff_vec2 center, tuff_real radius, const
             edge = i;
         }
     }
-    return edge == TUFF_MAX_VERTICES ? TUFF_APART : edge_contact(radius, polygon, edge, best, contact);
+    return edge == TUFF_MAX_VERTICES ? TUFF_APART : edge_contact(polygon, edge, overlap_by(radius, best), contact);
 }
 
-/* The edge whose line the center is farthest beyond, or the first one found that separates. */
-typedef struct tuff_facing_edge {
+/* How far the center lies beyond a point on the way from one vertex to another, times their distance. */
+static inline tuff_area beyond(const tuff_vec2 *center, const tuff_vec2 *point, const tuff_vec2 *from, const tuff_vec2 *to)
+{
+    return tuff_dot(tuff_vec2_gap(*center, *point), tuff_vec2_gap(*to, *from));
+}
+
+static inline bool lies_before(const tuff_vec2 *center, const tuff_vec2 *from, const tuff_vec2 *to)
+{
+    return beyond(center, from, from, to) < 0;
+}
+
+static inline bool lies_past(const tuff_vec2 *center, const tuff_vec2 *from, const tuff_vec2 *to)
+{
+    return beyond(center, to, from, to) > 0;
+}
+
+/* Edges, or vertices, farther on round the polygon; count - 1 of them are one back. */
+static inline uint32_t farther(uint32_t i, uint32_t stride, uint32_t count)
+{
+    return i + stride >= count ? i + stride - count : i + stride;
+}
+
+/* The first edge from this one on that has a length: one without has the next one's normal. */
+static uint32_t real_edge(const tuff_polygon *polygon, uint32_t edge)
+{
+    const uint32_t last = polygon->count - 1u;
+    while (edge < last && !has_length(tuff_vec2_gap(polygon->vertices[edge + 1], polygon->vertices[edge]))) ++edge;
+    return edge;
+}
+
+/* By what stride the regions go on from edge *i toward the center's, and from which vertex, *i; 0: it is that of the edge. */
+static inline uint32_t stride_from(const tuff_vec2 *center, const tuff_polygon *polygon, uint32_t *i)
+{
+    const tuff_vec2 *const vertices = polygon->vertices;
+    const uint32_t count = polygon->count;
+    const uint32_t next = farther(*i, 1, count);
+    if (lies_before(center, &vertices[*i], &vertices[next])) return count - 1;
+    if (lies_past(center, &vertices[*i], &vertices[next])) {
+        *i = next;
+        return 1;
+    }
+    if (has_length(tuff_vec2_gap(vertices[next], vertices[*i]))) return 0;
+    *i = real_edge(polygon, *i);
+    return lies_before(center, &vertices[*i], &vertices[farther(*i, 1, count)]) ? count - 1 : 1;
+}
+
+/* The Voronoi region that the center is in: of an edge, or from TUFF_MAX_VERTICES on of a vertex. It is near the line of edge i or
+   beyond it: from there round the polygon the distance falls on the way, and mostly a step or none is taken. Exact products of
+   the edges decide, which do not mind where rounded projections favor an edge nearly in line. Edges without length (the checks
+   refuse them) are passed; the steps end where a shape is not convex. */
+static uint32_t nearest_feature(const tuff_vec2 *center, const tuff_polygon *polygon, uint32_t i)
+{
+    const tuff_vec2 *const vertices = polygon->vertices;
+    const uint32_t count = polygon->count;
+    const uint32_t stride = stride_from(center, polygon, &i);
+    if (stride == 0) return i;
+    const uint32_t start = i;
+    do {
+        uint32_t other = farther(i, stride, count);
+        if (lies_before(center, &vertices[i], &vertices[other])) return TUFF_MAX_VERTICES + i;
+        if (!lies_past(center, &vertices[i], &vertices[other]) && has_length(tuff_vec2_gap(vertices[other], vertices[i]))) {
+            return stride == 1 ? i : other;
+        }
+        i = other;
+    } while (i != start);
+    return i;
+}
+
+static tuff_standing nearest_contact(const tuff_vec2 *center, tuff_real radius, const tuff_polygon *polygon, uint32_t edge,
+                                     tuff_contact *contact)
+{
+    const uint32_t feature = nearest_feature(center, polygon, edge);
+    if (feature < TUFF_MAX_VERTICES) {
+        return edge_contact(polygon, feature, overlap_by(radius, tuff_beyond_edge(polygon, feature, *center)), contact);
+    }
+    const uint32_t vertex = feature - TUFF_MAX_VERTICES;
+    return vertex_contact(tuff_vec2_gap(*center, polygon->vertices[vertex]), radius, polygon, vertex, contact);
+}
+
+/* Well inside, the edge is the answer, unless a neighbor in line with it would make the difference of outline and internal. */
+static inline tuff_standing circle_contact(const tuff_vec2 *center, tuff_real radius, const tuff_polygon *polygon, tuff_contact *contact)
+{
+    const tuff_wide limit = tuff_widen(radius);
     tuff_wide separation;
-    uint32_t  edge;
-} tuff_facing_edge;
-
-static inline tuff_facing_edge facing_edge(tuff_vec2 center, tuff_wide limit, const tuff_polygon *polygon)
-{
-    tuff_facing_edge facing = { TUFF_WIDE_LOWEST, 0 };
-    uint32_t i;
-    for (i = 0; i < polygon->count; ++i) {
-        tuff_wide separation = tuff_beyond_edge(polygon, i, center);
-        facing.edge = separation > facing.separation ? i : facing.edge;
-        facing.separation = separation > facing.separation ? separation : facing.separation;
-        if (separation >= limit) break;
+    uint32_t edge = tuff_outer_edge(polygon, center, limit, &separation);
+    if (tuff_roughly(separation) > tuff_roughly(limit)) return TUFF_APART;
+    if (separation <= -TUFF_WIDE_NEAR && polygon->internal_edges == 0) {
+        return edge_contact(polygon, edge, overlap_by(radius, separation), contact);
     }
-    return facing;
+    return nearest_contact(center, radius, polygon, edge, contact);
 }
 
-/* No edge's line separates. Well inside, the edge is the answer, unless a neighbor in line with it would make the difference of
-   outline and internal. */
-static tuff_standing contact_at(tuff_vec2 center, tuff_real radius, const tuff_polygon *polygon, tuff_facing_edge facing,
-                                tuff_contact *contact)
+TUFF_HOT tuff_standing tuff_circle_part(tuff_shape *shape, const tuff_polygon *polygon, tuff_skipped skipped, tuff_contact *contact)
 {
-    if (facing.separation <= -TUFF_WIDE_NEAR && polygon->internal_edges == 0) {
-        return edge_contact(radius, polygon, facing.edge, facing.separation, contact);
-    }
-    tuff_region region = find_region(center, polygon, (uint8_t)facing.edge);
-    if (region.at_vertex) return vertex_contact(center, radius, polygon, region.edge, contact);
-    if (region.edge != facing.edge) facing.separation = tuff_beyond_edge(polygon, region.edge, center);
-    return edge_contact(radius, polygon, region.edge, facing.separation, contact);
-}
-
-TUFF_HOT tuff_standing tuff_circle_part(tuff_mover *mover, tuff_vec2 center, const tuff_polygon *polygon, tuff_skipped skipped,
-                                        tuff_contact *contact)
-{
-    const tuff_wide limit = tuff_widen(mover->radius);
-    if (skipped != TUFF_SKIP_NONE) return unskipped_contact(center, mover->radius, polygon, skipped, contact);
-    tuff_facing_edge facing = facing_edge(center, limit, polygon);
-    return facing.separation >= limit ? TUFF_APART : contact_at(center, mover->radius, polygon, facing, contact);
-}
-
-bool tuff_circle_mover(tuff_mover *mover, tuff_real radius)
-{
-    mover->test = tuff_circle_part;
-    mover->seams = false;
-    mover->neighbor_count = TUFF_NO_NEIGHBORS;
-    TUFF_ASSERT(tuff_in_range(radius, TUFF_MAX_BOUNDING_RADIUS));
-    mover->radius = tuff_flush(radius);
-    return tuff_in_range(radius, TUFF_MAX_BOUNDING_RADIUS);
+    if (skipped != TUFF_SKIP_NONE) return unskipped_contact(shape->offset, shape->radius, polygon, skipped, contact);
+    return circle_contact(&shape->offset, shape->radius, polygon, contact);
 }
 
 TUFF_HOT bool tuff_circle_polygon(tuff_vec2 center, tuff_real radius, const tuff_polygon *polygon, tuff_contact *contact)
 {
     TUFF_ASSERT(polygon != NULL && contact != NULL);
     TUFF_ASSERT(tuff_in_range(radius, TUFF_MAX_BOUNDING_RADIUS));
-    if (polygon == NULL || !tuff_baked(polygon) || !tuff_in_range(radius, TUFF_MAX_BOUNDING_RADIUS)) return false;
-    /* No vertex is farther out than a bounding radius may be. */
-    if (!tuff_in_box(center, TUFF_WHOLE(2 * TUFF_MAX_BOUNDING_RADIUS))) return false;
-    const tuff_vec2 flushed = tuff_vec2_flush(center);
-    const tuff_wide limit = tuff_widen(tuff_flush(radius));
-    tuff_facing_edge facing = facing_edge(flushed, limit, polygon);
-    if (facing.separation >= limit) return false;
-    return contact_at(flushed, tuff_flush(radius), polygon, facing, contact) != TUFF_APART;
+    if (polygon == NULL || !tuff_baked(polygon)) return false;
+    if (!tuff_in_range(radius, TUFF_MAX_BOUNDING_RADIUS)) return false;
+    /* No vertex is farther out than a bounding radius may be: 2,898 units; the power of two is cheaper to compare with. */
+    if (!tuff_in_box(center, TUFF_WHOLE(4096))) return false;
+    center = tuff_vec2_flush(center);
+    return circle_contact(&center, tuff_flush(radius), polygon, contact) != TUFF_APART;
 }

@@ -7,48 +7,50 @@
 
 /* One push with its report. False: the body is where it was: in float an overlap may be less than a step of the position,
    and trying again would find it again. */
-static bool resolve(tuff_body *body, const tuff_touch *touch, tuff_touches *touches)
+static bool resolve(tuff_collision *call, const tuff_touch *touch)
 {
-    tuff_vec2 before = body->position;
-    tuff_bounce(body, &touch->contact);
+    tuff_vec2 before = call->body->position;
+    tuff_touches *touches = call->touches;
+    tuff_bounce(call->body, &touch->contact);
     if (touches != NULL) {
         if (touches->list != NULL && touches->count < touches->capacity) touches->list[touches->count] = *touch;
         ++touches->count;
     }
-    return body->position.x != before.x || body->position.y != before.y;
+    ++call->pushes;
+    call->search.center = tuff_vec2_flush(call->body->position);
+    return call->body->position.x != before.x || call->body->position.y != before.y;
 }
 
-static bool touch_piece(const tuff_world *world, const tuff_body *body, tuff_mover *mover, tuff_touch *touch)
+static bool touch_piece(tuff_collision *call, tuff_touch *touch)
 {
-    return tuff_piece_contact(&world->terrain[touch->piece], tuff_vec2_flush(body->position), mover, &touch->contact);
+    return tuff_piece_contact(&call->search.world->terrain[touch->piece], &call->search.center, call->shape, &touch->contact);
 }
 
 /* Each piece on its own. A convex piece is left after one push; the parts of others may need more. */
-static uint16_t collide_in_turn(const tuff_world *world, tuff_body *body, tuff_mover *mover, tuff_touches *touches)
+static bool push_out(tuff_search *search, uint16_t piece)
 {
-    uint16_t pushes = 0;
+    tuff_collision *call = (tuff_collision *)search;
     tuff_touch touch;
-    tuff_walk walk;
-    tuff_walk_box(&walk, world, body->position, mover->radius, true);
-    while ((touch.piece = tuff_walk_next(&walk)) != TUFF_NO_PIECE) {
-        while (touch_piece(world, body, mover, &touch)) {
-            bool moved = resolve(body, &touch, touches);
-            if (++pushes == TUFF_MAX_PUSHES) return pushes;
-            if (!moved || world->terrain[touch.piece].part_count < 2) break;
-        }
+    touch.piece = piece;
+    while (touch_piece(call, &touch)) {
+        bool moved = resolve(call, &touch);
+        if (call->pushes == TUFF_MAX_PUSHES) return false;
+        if (!moved || search->world->terrain[piece].part_count < 2) break;
     }
-    return pushes;
+    return true;
 }
 
 /* One more piece met in this call; too many are as none. */
-static void note_neighbor(tuff_mover *mover, const tuff_terrain *piece)
+static void note_neighbor(tuff_mover *mover, const tuff_terrain *terrain, uint16_t piece)
 {
+    uint8_t *count = &mover->shape.neighbor_count;
     uint8_t i;
-    for (i = 0; i < mover->neighbor_count; ++i) {
+    for (i = 0; i < *count; ++i) {
         if (mover->neighbors[i] == piece) return;
     }
-    if (i == TUFF_MOST_NEIGHBORS) mover->neighbor_count = TUFF_NO_NEIGHBORS;
-    else mover->neighbors[mover->neighbor_count++] = piece;
+    if (i == TUFF_MOST_NEIGHBORS) *count = TUFF_NO_NEIGHBORS;
+    else mover->neighbors[(*count)++] = piece;
+    mover->terrain = terrain;
 }
 
 /* Does a contact come before another? The deeper, or the lower number. Where a hull meets several pieces, one by an outline edge
@@ -62,55 +64,62 @@ static bool comes_first(const tuff_touch *touch, const tuff_touch *best, bool by
     return touch->piece < best->piece;
 }
 
-/* The deepest contact of all where the body is now; of equal ones the lowest number's. */
-static bool scan_for_deepest(const tuff_world *world, const tuff_body *body, tuff_mover *mover, tuff_touch *deepest)
+static bool keep_deepest(tuff_search *search, uint16_t piece)
 {
-    bool found = false;
-    bool found_by_outline = false;
+    tuff_collision *call = (tuff_collision *)search;
+    tuff_shape *shape = call->shape;
     tuff_touch touch;
-    tuff_walk walk;
-    tuff_walk_box(&walk, world, body->position, mover->radius, false);
-    while ((touch.piece = tuff_walk_next(&walk)) != TUFF_NO_PIECE) {
-        mover->by_outline = true;
-        if (!touch_piece(world, body, mover, &touch)) continue;
-        if (!mover->seams && mover->neighbor_count != TUFF_NO_NEIGHBORS) note_neighbor(mover, &world->terrain[touch.piece]);
-        bool by_outline = !mover->seams || mover->by_outline;
-        if (found && !comes_first(&touch, deepest, by_outline, found_by_outline)) continue;
-        *deepest = touch;
-        found_by_outline = by_outline;
-        found = true;
-    }
-    return found;
+    touch.piece = piece;
+    shape->by_outline = true;
+    if (!touch_piece(call, &touch)) return true;
+    if (!shape->seams && shape->neighbor_count != TUFF_NO_NEIGHBORS) note_neighbor((tuff_mover *)shape, search->world->terrain, piece);
+    bool by_outline = !shape->seams || shape->by_outline;
+    if (call->found && !comes_first(&touch, &call->deepest, by_outline, call->by_outline)) return true;
+    call->deepest = touch;
+    call->by_outline = by_outline;
+    call->found = true;
+    return true;
+}
+
+/* The deepest contact of all where the body is now; of equal ones the lowest number's. */
+static bool scan_for_deepest(tuff_collision *call)
+{
+    call->found = false;
+    tuff_walk_box(&call->search, false);
+    return call->found;
 }
 
 /* Where a hull has met several pieces in this call, what was found is asked again with their seams in mind. Pieces are noted only
    without: what they tell must not depend on which of them is asked first. */
-static bool find_deepest(const tuff_world *world, const tuff_body *body, tuff_mover *mover, tuff_touch *deepest)
+static bool find_deepest(tuff_collision *call)
 {
-    mover->seams = false;
-    bool found = scan_for_deepest(world, body, mover, deepest);
-    mover->seams = mover->neighbor_count > 1 && mover->neighbor_count != TUFF_NO_NEIGHBORS;
-    return found && mover->seams ? scan_for_deepest(world, body, mover, deepest) : found;
+    tuff_shape *shape = call->shape;
+    shape->seams = false;
+    bool found = scan_for_deepest(call);
+    shape->seams = shape->neighbor_count > 1 && shape->neighbor_count != TUFF_NO_NEIGHBORS;
+    return found && shape->seams ? scan_for_deepest(call) : found;
 }
 
-static uint16_t collide_deepest_first(const tuff_world *world, tuff_body *body, tuff_mover *mover, tuff_touches *touches)
+/* Not static: merged into tuff_collide its frame would be part of every call in the other order, too. */
+void tuff_collide_deepest(tuff_collision *call)
 {
-    uint16_t pushes = 0;
     bool moved = true;
-    tuff_touch touch;
-    while (moved && pushes < TUFF_MAX_PUSHES && find_deepest(world, body, mover, &touch)) {
-        moved = resolve(body, &touch, touches);
-        ++pushes;
-    }
-    return pushes;
+    call->search.visit = keep_deepest;
+    while (moved && call->pushes < TUFF_MAX_PUSHES && find_deepest(call)) moved = resolve(call, &call->deepest);
 }
 
-uint16_t tuff_collide(const tuff_world *world, tuff_body *body, tuff_mover *mover, tuff_touches *touches)
+TUFF_HOT void tuff_collide(tuff_collision *call, const tuff_world *world, tuff_body *body, tuff_touches *touches)
 {
     TUFF_ASSERT(world != NULL && body != NULL);
-    if (touches != NULL) touches->count = 0;
-    if (world == NULL || world->terrain == NULL || body == NULL) return 0;
-    if (!tuff_position_ok(body->position) || !tuff_velocity_ok(body->velocity)) return 0;
-    if (world->order == TUFF_ORDER_DEEPEST) return collide_deepest_first(world, body, mover, touches);
-    return collide_in_turn(world, body, mover, touches);
+    call->pushes = 0;
+    if (world == NULL || world->terrain == NULL || body == NULL) return;
+    if (!tuff_position_ok(body->position) || !tuff_velocity_ok(body->velocity)) return;
+    call->search.world = world;
+    call->search.visit = push_out;
+    call->search.center = tuff_vec2_flush(body->position);
+    call->search.radius = call->shape->radius;
+    call->body = body;
+    call->touches = touches;
+    if (world->order == TUFF_ORDER_DEEPEST) tuff_collide_deepest(call);
+    else tuff_walk_box(&call->search, true);
 }

@@ -6,8 +6,12 @@
 
 uint16_t tuff_terrain_collide_circle(const tuff_world *world, tuff_body *body, tuff_real radius)
 {
-    tuff_mover mover;
-    return tuff_circle_mover(&mover, radius) ? tuff_collide(world, body, &mover, NULL) : 0;
+    tuff_collision call;
+    tuff_shape shape;
+    if (!tuff_circle_shape(&shape, radius)) return 0;
+    call.shape = &shape;
+    tuff_collide(&call, world, body, NULL);
+    return call.pushes;
 }
 
 uint16_t tuff_floater_collide_circle(tuff_body *body, tuff_real radius, const tuff_terrain *floaters, uint16_t count)

@@ -6,8 +6,9 @@
 
 bool tuff_terrain_overlap_circle(const tuff_terrain *piece, tuff_vec2 center, tuff_real radius, tuff_contact *contact)
 {
-    tuff_mover mover;
+    tuff_shape shape;
     TUFF_ASSERT(piece != NULL && contact != NULL);
-    if (piece == NULL || !tuff_position_ok(center) || !tuff_circle_mover(&mover, radius)) return false;
-    return tuff_piece_contact(piece, tuff_vec2_flush(center), &mover, contact);
+    if (piece == NULL || !tuff_position_ok(center) || !tuff_circle_shape(&shape, radius)) return false;
+    center = tuff_vec2_flush(center);
+    return tuff_piece_contact(piece, &center, &shape, contact);
 }

@@ -12,5 +12,6 @@ bool tuff_terrain_overlap_hull(const tuff_terrain *piece, tuff_vec2 position, tu
     if (!tuff_is_hull(hull)) return tuff_terrain_overlap_circle(piece, position, radius, contact);
     TUFF_ASSERT(piece != NULL && contact != NULL);
     if (piece == NULL || !tuff_position_ok(position) || !tuff_hull_mover(&mover, radius, hull, scratch)) return false;
-    return tuff_piece_contact(piece, tuff_vec2_flush(position), &mover, contact);
+    position = tuff_vec2_flush(position);
+    return tuff_piece_contact(piece, &position, &mover.shape, contact);
 }

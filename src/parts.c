@@ -7,21 +7,19 @@
 /* The least outline axis of the parts that overlap by an internal edge, and by more than above; else the least internal axis
    that leads away from the piece's position: each such push takes the shape farther from there, never to and fro between inner
    parts. */
-static void least_way_out(const tuff_terrain *piece, tuff_vec2 offset, tuff_mover *mover, tuff_real above, tuff_contact *contact)
+static void least_way_out(tuff_shape *shape, tuff_real above, tuff_contact *candidate, tuff_contact *contact)
 {
-    bool outline_found = false;
-    bool found = false;
-    tuff_contact candidate;
-    uint8_t i;
-    for (i = 0; i < piece->part_count; ++i) {
-        tuff_standing standing = mover->test(mover, offset, &piece->parts[i], TUFF_SKIP_NONE, &candidate);
-        if (standing != TUFF_BY_INTERNAL || candidate.overlap <= above) continue;
-        bool outline = mover->test(mover, offset, &piece->parts[i], TUFF_SKIP_INTERNAL, &candidate) != TUFF_APART;
-        if (outline_found && !outline) continue;
-        if (!outline) (void)mover->test(mover, offset, &piece->parts[i], TUFF_SKIP_BACK, &candidate);
-        if (!found || outline != outline_found || candidate.overlap < contact->overlap) *contact = candidate;
-        outline_found = outline;
-        found = true;
+    const tuff_polygon *part = shape->piece->parts;
+    const tuff_polygon *end = part + shape->piece->part_count;
+    tuff_standing best = TUFF_APART;
+    for (; part != end; ++part) {
+        tuff_standing standing = shape->test(shape, part, TUFF_SKIP_NONE, candidate);
+        if (standing != TUFF_BY_INTERNAL || candidate->overlap <= above) continue;
+        if (shape->test(shape, part, TUFF_SKIP_INTERNAL, candidate) != TUFF_APART) standing = TUFF_BY_OUTLINE;
+        else if (best != TUFF_BY_OUTLINE) (void)shape->test(shape, part, TUFF_SKIP_BACK, candidate);
+        else continue;
+        if (best != standing || candidate->overlap < contact->overlap) *contact = *candidate;
+        best = standing;
     }
 }
 
@@ -31,17 +29,16 @@ static void least_way_out(const tuff_terrain *piece, tuff_vec2 offset, tuff_move
    outline axis if that is hardly farther, and otherwise, where seams between pieces matter, waits. No part is overlapped
    deeper than the whole outline, so beside an outline contact of a residue, a part overlapped by clearly more (4: the
    rounding of two axes, doubled) means that the body is inside. */
-TUFF_HOT bool tuff_parts_contact(const tuff_terrain *piece, tuff_vec2 offset, tuff_mover *mover, tuff_real residue,
-                                 tuff_contact *contact)
+TUFF_HOT bool tuff_parts_contact(tuff_shape *shape, tuff_real residue, tuff_contact *contact)
 {
+    const tuff_polygon *part = shape->piece->parts;
+    const tuff_polygon *end = part + shape->piece->part_count;
     tuff_real outline = 0;
     tuff_real internal = 0;
     tuff_contact candidate;
     tuff_contact inner;
-    uint8_t i;
-    mover->piece = piece;
-    for (i = 0; i < piece->part_count; ++i) {
-        tuff_standing standing = mover->test(mover, offset, &piece->parts[i], TUFF_SKIP_NONE, &candidate);
+    for (; part != end; ++part) {
+        tuff_standing standing = shape->test(shape, part, TUFF_SKIP_NONE, &candidate);
         if (standing == TUFF_BY_INTERNAL && candidate.overlap > internal) {
             inner = candidate;
             internal = candidate.overlap;
@@ -52,13 +49,13 @@ TUFF_HOT bool tuff_parts_contact(const tuff_terrain *piece, tuff_vec2 offset, tu
     }
     if (outline > residue) return true;
 
-    mover->by_outline = false;
+    shape->by_outline = false;
     tuff_real above = outline > 0 ? 4 * residue : residue;
     if (internal > above) {
-        least_way_out(piece, offset, mover, above, contact);
+        least_way_out(shape, above, &candidate, contact);
     } else if (internal > 0 && !(outline > 0)) {
-        least_way_out(piece, offset, mover, 0, contact);
-        if (contact->overlap > 4 * residue && mover->seams) return false;
+        least_way_out(shape, 0, &candidate, contact);
+        if (contact->overlap > 4 * residue && shape->seams) return false;
         if (contact->overlap > 4 * residue) *contact = inner;
     }
     return outline > 0 || internal > 0;

@@ -11,7 +11,7 @@ static bool holds(const tuff_polygon *part, tuff_vec2 point, tuff_wide slack)
 {
     uint8_t i;
     for (i = 0; i < part->count; ++i) {
-        if (tuff_beyond_edge(part, i, point) > slack) return false;
+        if (tuff_reach(part->normals[i], tuff_vec2_sub(point, part->vertices[i])) > slack) return false;
     }
     return true;
 }
@@ -19,28 +19,32 @@ static bool holds(const tuff_polygon *part, tuff_vec2 point, tuff_wide slack)
 /* Does the part reach beyond the point along the axis? */
 static bool rises(const tuff_polygon *part, tuff_vec2 point, tuff_unit2 axis, tuff_wide slack)
 {
-    uint8_t i;
-    for (i = 0; i < part->count; ++i) {
-        if (tuff_project(axis, tuff_vec2_sub(part->vertices[i], point)) > slack) return true;
+    const tuff_vec2 farthest = part->vertices[tuff_least_along(part, tuff_unit2_negate(axis))];
+    return tuff_reach(axis, tuff_vec2_sub(farthest, point)) > slack;
+}
+
+/* Does a part of a piece, from which the points are seen, hold the line between them, and go on from the first along the axis? */
+static bool covers_line(const tuff_terrain *piece, const tuff_vec2 line[2], tuff_unit2 axis, tuff_wide slack)
+{
+    const tuff_polygon *part = piece->parts;
+    const tuff_polygon *end = part + piece->part_count;
+    for (; part != end; ++part) {
+        if (holds(part, line[0], slack) && holds(part, line[1], slack) && rises(part, line[0], axis, slack)) return true;
     }
     return false;
 }
 
 /* Does a neighbor of the piece tested cover the line between two points of it, and go on from there along the axis? */
-static bool buried(const tuff_mover *mover, tuff_vec2 from, tuff_vec2 to, tuff_unit2 axis)
+static bool buried(const tuff_mover *mover, const tuff_vec2 line[2], tuff_unit2 axis)
 {
-    const tuff_wide slack = tuff_widen(tuff_residue(mover->piece->position, mover->piece->bounding_radius));
+    const tuff_terrain *piece = mover->shape.piece;
+    const tuff_wide slack = tuff_widen(tuff_residue(piece->position, piece->bounding_radius));
     uint8_t i;
-    for (i = 0; i < mover->neighbor_count; ++i) {
-        const tuff_terrain *other = mover->neighbors[i];
-        tuff_vec2 between = tuff_vec2_sub(mover->piece->position, other->position);
-        tuff_vec2 first = tuff_vec2_add(from, between);
-        tuff_vec2 last = tuff_vec2_add(to, between);
-        uint8_t k;
-        for (k = 0; other != mover->piece && tuff_piece_baked(other) && k < other->part_count; ++k) {
-            const tuff_polygon *part = &other->parts[k];
-            if (holds(part, first, slack) && holds(part, last, slack) && rises(part, first, axis, slack)) return true;
-        }
+    for (i = 0; i < mover->shape.neighbor_count; ++i) {
+        const tuff_terrain *other = &mover->terrain[mover->neighbors[i]];
+        const tuff_vec2 between = tuff_vec2_sub(piece->position, other->position);
+        const tuff_vec2 seen[2] = { tuff_vec2_add(line[0], between), tuff_vec2_add(line[1], between) };
+        if (other != piece && tuff_has_outline(other) && covers_line(other, seen, axis, slack)) return true;
     }
     return false;
 }
@@ -67,9 +71,17 @@ static bool outline_beyond(const tuff_terrain *piece, const tuff_polygon *part, 
     return false;
 }
 
+/* tuff_facing by the function that is there: how far the tip of one reaches along the other, in another format. */
+static tuff_wide facing(tuff_unit2 normal, tuff_unit2 axis)
+{
+    const tuff_vec2 tip = { normal.x, normal.y };
+    return tuff_reach(axis, tip);
+}
+
 /* Both edges of the vertex are internal, or one is, and the outline, which goes on along another part, does not bend away from
-   the axis. Where no part has it, the nearer of the two normals tells. */
-static bool between_parts(const tuff_mover *mover, const tuff_polygon *part, uint8_t vertex, tuff_unit2 axis)
+   the axis. Where no part has it, the nearer of the two normals tells. Not static: merged into the only caller its frame would be there
+   while the neighbors are asked, too. */
+bool tuff_between_parts(const tuff_mover *mover, const tuff_polygon *part, uint8_t vertex, tuff_unit2 axis)
 {
     tuff_vec2 along;
     uint8_t before = tuff_previous_index(vertex, part->count);
@@ -77,77 +89,73 @@ static bool between_parts(const tuff_mover *mover, const tuff_polygon *part, uin
     if (before_is_internal == tuff_edge_is_internal(part, vertex)) return before_is_internal;
     tuff_unit2 outward = part->normals[before_is_internal ? vertex : before];
     tuff_unit2 inward = part->normals[before_is_internal ? before : vertex];
-    if (mover->piece == NULL || !outline_beyond(mover->piece, part, part->vertices[vertex], &along)) {
-        return tuff_facing(inward, axis) > tuff_facing(outward, axis);
+    if (mover->shape.piece == NULL || !outline_beyond(mover->shape.piece, part, part->vertices[vertex], &along)) {
+        return facing(inward, axis) > facing(outward, axis);
     }
-    return tuff_project(outward, along) >= 0 || tuff_project(axis, along) > 0;
+    return tuff_reach(outward, along) >= 0 || tuff_reach(axis, along) > 0;
 }
 
 bool tuff_corner_is_internal(const tuff_mover *mover, const tuff_polygon *part, uint8_t vertex, tuff_unit2 axis)
 {
-    tuff_vec2 at = part->vertices[vertex];
-    return between_parts(mover, part, vertex, axis) || (mover->seams && buried(mover, at, at, axis));
+    if (tuff_between_parts(mover, part, vertex, axis)) return true;
+    if (!mover->shape.seams) return false;
+    const tuff_vec2 corner[2] = { part->vertices[vertex], part->vertices[vertex] };
+    return buried(mover, corner, axis);
 }
 
 /* ---- sides ---- */
 
-/* What the hull covers of a line along this direction. */
-typedef struct span {
-    tuff_wide low;
-    tuff_wide high;
-} span;
+/* An edge of a part, and its direction, from its first vertex to the next. */
+typedef struct tuff_side {
+    tuff_vec2  from, to;
+    tuff_unit2 along;
+} tuff_side;
 
-static span span_along(const tuff_polygon *hull, tuff_vec2 offset, tuff_unit2 along)
+static void side_of(tuff_side *side, const tuff_polygon *part, uint8_t edge)
 {
-    tuff_wide first = tuff_project(along, tuff_vec2_add(hull->vertices[0], offset));
-    span covered = { first, first };
-    uint8_t i;
-    for (i = 1; i < hull->count; ++i) {
-        tuff_wide at = tuff_project(along, tuff_vec2_add(hull->vertices[i], offset));
-        if (at < covered.low) covered.low = at;
-        if (at > covered.high) covered.high = at;
-    }
-    return covered;
+    const tuff_unit2 normal = part->normals[edge];
+    const tuff_unit2 along = { normal.y, tuff_unit2_negate(normal).x };
+    side->from = part->vertices[edge];
+    side->to = part->vertices[tuff_next_index(edge, part->count)];
+    side->along = tuff_reach(along, tuff_vec2_sub(side->to, side->from)) < 0 ? tuff_unit2_negate(along) : along;
+}
+
+/* How far the hull's vertex that lies least far along one direction lies along another. */
+static tuff_wide hull_reach(const tuff_mover *mover, tuff_unit2 least_along, tuff_unit2 along)
+{
+    const tuff_vec2 vertex = mover->hull.vertices[tuff_least_along(&mover->hull, least_along)];
+    return tuff_reach(along, tuff_vec2_add(vertex, mover->shape.offset));
 }
 
 /* The point of an edge that lies so far along it, or the end that is nearer. */
-static tuff_vec2 point_of_edge(tuff_vec2 from, tuff_vec2 to, tuff_unit2 along, tuff_wide at)
+static void point_of_edge(tuff_vec2 *point, const tuff_side *side, tuff_wide at)
 {
-    tuff_wide way = at - tuff_project(along, from);
-    if (way <= 0) return from;
-    if (at >= tuff_project(along, to)) return to;
-    tuff_vec2 ahead = { tuff_scale(tuff_narrow(way), along.x), tuff_scale(tuff_narrow(way), along.y) };
-    return tuff_vec2_add(from, ahead);
+    tuff_wide way = at - tuff_reach(side->along, side->from);
+    *point = side->from;
+    if (way <= 0) return;
+    *point = side->to;
+    if (at >= tuff_reach(side->along, side->to)) return;
+    tuff_vec2 ahead = { tuff_scale(tuff_narrow(way), side->along.x), tuff_scale(tuff_narrow(way), side->along.y) };
+    *point = tuff_vec2_add(side->from, ahead);
 }
 
-/* The direction of an edge, from its first vertex to the next. */
-static tuff_unit2 direction_of(const tuff_polygon *part, uint8_t edge)
+bool tuff_edge_beside(const tuff_mover *mover, const tuff_polygon *part, uint8_t edge)
 {
-    tuff_unit2 normal = part->normals[edge];
-    tuff_unit2 along = { normal.y, tuff_unit2_negate(normal).x };
-    tuff_vec2 way = tuff_vec2_sub(part->vertices[tuff_next_index(edge, part->count)], part->vertices[edge]);
-    return tuff_project(along, way) < 0 ? tuff_unit2_negate(along) : along;
-}
-
-bool tuff_edge_beside(const tuff_mover *mover, tuff_vec2 offset, const tuff_polygon *part, uint8_t edge)
-{
-    uint8_t next = tuff_next_index(edge, part->count);
+    tuff_side side;
     bool starts_inside = tuff_edge_is_internal(part, tuff_previous_index(edge, part->count));
-    bool ends_inside = tuff_edge_is_internal(part, next);
+    bool ends_inside = tuff_edge_is_internal(part, tuff_next_index(edge, part->count));
     if (!starts_inside && !ends_inside) return false;
-    tuff_unit2 along = direction_of(part, edge);
-    span covered = span_along(&mover->hull, offset, along);
-    return (starts_inside && covered.high < tuff_project(along, part->vertices[edge])) ||
-           (ends_inside && covered.low > tuff_project(along, part->vertices[next]));
+    side_of(&side, part, edge);
+    if (starts_inside && hull_reach(mover, tuff_unit2_negate(side.along), side.along) < tuff_reach(side.along, side.from)) return true;
+    return ends_inside && hull_reach(mover, side.along, side.along) > tuff_reach(side.along, side.to);
 }
 
-bool tuff_edge_buried(const tuff_mover *mover, tuff_vec2 offset, const tuff_polygon *part, uint8_t edge)
+bool tuff_edge_buried(const tuff_mover *mover, const tuff_polygon *part, uint8_t edge)
 {
-    tuff_unit2 along = direction_of(part, edge);
-    tuff_vec2 from = part->vertices[edge];
-    tuff_vec2 to = part->vertices[tuff_next_index(edge, part->count)];
-    span covered = span_along(&mover->hull, offset, along);
-    tuff_vec2 first = point_of_edge(from, to, along, covered.low);
-    tuff_vec2 last = point_of_edge(from, to, along, covered.high);
-    return buried(mover, first, last, part->normals[edge]);
+    tuff_side side;
+    tuff_vec2 line[2];
+    side_of(&side, part, edge);
+    point_of_edge(&line[0], &side, hull_reach(mover, side.along, side.along));
+    point_of_edge(&line[1], &side, hull_reach(mover, tuff_unit2_negate(side.along), side.along));
+    return buried(mover, line, part->normals[edge]);
 }

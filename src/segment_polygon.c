@@ -11,13 +11,14 @@
    is as good as random, and a wrong guess costs a fast CPU more than all vertices do. */
 static inline bool line_misses(const tuff_beam *beam, const tuff_polygon *polygon)
 {
+    const tuff_area across = tuff_line_across(&beam->d, &beam->a, &beam->b);
     unsigned left = 0;
     unsigned right = 0;
     uint8_t i;
     for (i = 0; i < polygon->count; ++i) {
-        tuff_area side = tuff_far_cross_near(beam->d, polygon->vertices[i]);
-        left |= side >= beam->across;
-        right |= side <= beam->across;
+        tuff_area side = tuff_far_cross_near(&beam->d, polygon->vertices[i]);
+        left |= side >= across;
+        right |= side <= across;
     }
     return (left & right) == 0;
 }
@@ -25,14 +26,14 @@ static inline bool line_misses(const tuff_beam *beam, const tuff_polygon *polygo
 /* Do both ends lie strictly outside of one edge? Of an internal edge, a margin farther out, where the other part is. */
 static bool ends_miss(const tuff_beam *beam, const tuff_polygon *polygon)
 {
-    const tuff_area seam = tuff_seam_margin(beam->d);
+    const tuff_area seam = tuff_seam_margin(&beam->d);
     const bool forward = tuff_turns_forward(polygon);
     unsigned missed = 0;
     uint8_t i;
     for (i = 0; i < polygon->count; ++i) {
         tuff_area margin = tuff_edge_is_internal(polygon, i) ? seam : 0;
-        tuff_area a = tuff_edge_outside(polygon, i, forward, beam->a);
-        tuff_area b = tuff_edge_outside(polygon, i, forward, beam->b);
+        tuff_area a = tuff_edge_outside(polygon, i, forward, &beam->a);
+        tuff_area b = tuff_edge_outside(polygon, i, forward, &beam->b);
         missed |= (unsigned)(a > margin) & (unsigned)(b > margin);
     }
     return missed != 0;
@@ -43,16 +44,32 @@ static inline bool touches(const tuff_beam *beam, const tuff_polygon *polygon)
     return !line_misses(beam, polygon) && !ends_miss(beam, polygon);
 }
 
-TUFF_HOT bool tuff_beam_touches_part(const tuff_beam *beam, const tuff_polygon *polygon)
+/* Where the quicker way is unsure of one order of the ends, it may be sure of the other. */
+static inline tuff_verdict quick_verdict(const tuff_vec2 *a, const tuff_vec2 *b, const tuff_polygon *polygon)
 {
-    return touches(beam, polygon);
+    tuff_verdict verdict = tuff_near_verdict(a, b, polygon);
+    return verdict == TUFF_UNSURE ? tuff_near_verdict(b, a, polygon) : verdict;
+}
+
+TUFF_HOT bool tuff_beam_touches_parts(const tuff_beam *beam, const tuff_polygon *parts, uint8_t count)
+{
+    tuff_vec2 a, b;
+    const bool narrow = tuff_far_narrow(beam->a, &a) && tuff_far_narrow(beam->b, &b);
+    uint8_t i;
+    for (i = 0; i < count; ++i) {
+        tuff_verdict verdict = narrow ? quick_verdict(&a, &b, &parts[i]) : TUFF_UNSURE;
+        if (verdict == TUFF_UNSURE ? touches(beam, &parts[i]) : verdict == TUFF_MEETS) return true;
+    }
+    return false;
 }
 
 bool tuff_segment_polygon(tuff_vec2 a, tuff_vec2 b, const tuff_polygon *polygon)
 {
-    const tuff_vec2 origin = { TUFF_WHOLE(0), TUFF_WHOLE(0) };
     TUFF_ASSERT(polygon != NULL);
     if (polygon == NULL || !tuff_baked(polygon) || !tuff_beam_ends_ok(a, b)) return false;
-    tuff_beam beam = tuff_beam_relative(a, b, origin);
+    tuff_verdict verdict = quick_verdict(&a, &b, polygon);
+    if (verdict != TUFF_UNSURE) return verdict == TUFF_MEETS;
+    tuff_beam beam;
+    tuff_beam_between(&beam, a, b);
     return touches(&beam, polygon);
 }

@@ -58,7 +58,7 @@ tuff_real tuff_polygon_thickness(const tuff_polygon *polygon)
         tuff_vec2 right = tuff_right_of(from, polygon->vertices[tuff_next_index(i, polygon->count)]);
         tuff_unit2 normal = { TUFF_UNIT_ONE, 0 };
         if (tuff_normalize(right, &normal) == 0) continue;
-        tuff_wide beyond = tuff_project(normal, tuff_vec2_gap(middle, from));
+        tuff_wide beyond = tuff_reach(normal, tuff_vec2_gap(middle, from));
         if (beyond < 0) beyond = -beyond;
         if (least < 0 || beyond < least) least = beyond;
     }

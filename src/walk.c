@@ -1,179 +1,256 @@
 /* SPDX-License-Identifier: Zlib
    Copyright (c) 2026 the tuff authors
 
-   Walks over the index: the chunks that a box or a line may touch, and the pieces in them. All in whole units and
-   rounded outward, so that both builds visit every piece they must. */
+   Walks over the index: the chunks that a box or a line may touch, and the pieces in them. Chunks are found in whole units,
+   rounded outward, so that both builds visit every piece they must. No list is followed for more steps than there are
+   entries, so that overwritten storage cannot hang a game. */
 #include "inner.h"
 
-static int32_t lesser32(int32_t a, int32_t b)                  { return a < b ? a : b; }
-static int32_t greater32(int32_t a, int32_t b)                 { return a > b ? a : b; }
-static int32_t within(int32_t a, int32_t low, int32_t high)  { return lesser32(greater32(a, low), high); }
+/* --- all walks --------------------------------------------------------------------------------------------- */
 
-/* Which columns of this row a line may touch. For a center c within R of a point x of the line, with u and w the
-   components of x - c, c's minor is that of the line at c's major, plus m u - w, and |m u - w| <= R sqrt(1 + m^2) by
-   Cauchy and Schwarz; beyond the ends the same holds of the end. */
-static void find_columns(tuff_walk *walk)
+static inline bool is_near(const tuff_search *search, unsigned number)
 {
-    const tuff_track *track = &walk->track;
-    uint16_t pitch = tuff_pitch(walk->chunks);
-    int32_t enter = within(walk->row * ((int32_t)1 << pitch), track->first, track->last);
-    int32_t leave = within((walk->row + 1) * ((int32_t)1 << pitch), track->first, track->last);
-    int32_t at_enter = track->minor + (int32_t)(((int64_t)track->slope * (enter - track->major)) >> 15);
-    int32_t at_leave = track->minor + (int32_t)(((int64_t)track->slope * (leave - track->major)) >> 15);
-    walk->first_column = tuff_chunk_of(walk->chunks, greater32(lesser32(at_enter, at_leave) - track->margin, track->low));
-    walk->last_column = tuff_chunk_of(walk->chunks, lesser32(greater32(at_enter, at_leave) + track->margin, track->high));
+    const tuff_world *world = search->world;
+    const tuff_terrain *piece = &world->terrain[number];
+    if (number >= world->terrain_count) return false;
+    return tuff_squares_touch(search->center, search->radius, piece->position, piece->bounding_radius);
 }
 
-static void open_chunk(tuff_walk *walk)
+/* False: the visitor has had enough. */
+static bool offer(tuff_search *search, unsigned number)
 {
-    int32_t x = walk->along_x ? walk->row : walk->column;
-    int32_t y = walk->along_x ? walk->column : walk->row;
-    walk->left = walk->chunks->capacity;
-    walk->link = walk->chunks->buckets[tuff_bucket(walk->chunks, x, y)];
+    return !is_near(search, number) || search->visit(search, (uint16_t)number);
 }
 
-static void open_row(tuff_walk *walk)
+/* All numbers, or all entries of the index. */
+void tuff_walk_numbers(tuff_search *search, const tuff_chunks *chunks)
 {
-    if (walk->is_line) find_columns(walk);
-    walk->column = walk->first_column;
-    open_chunk(walk);
+    const unsigned count = search->world->terrain_count;
+    const unsigned end = chunks != NULL && chunks->capacity < count ? chunks->capacity : count;
+    unsigned number;
+    for (number = 0; number < end && number < TUFF_MAX_PIECES; ++number) {
+        if (chunks != NULL && chunks->entries[number].next == 0) continue;
+        if (!offer(search, number)) return;
+    }
 }
 
-/* False: without an index in use, every number of the terrain is taken in turn. */
-static bool has_index(tuff_walk *walk, const tuff_world *world)
+/* A link less 1 is a number below this, unless it ends a list; as an unsigned number, 0 less 1 is none either. */
+static inline unsigned number_limit(const tuff_chunks *chunks)
 {
-    const tuff_walk fresh = { 0 };
-    *walk = fresh;
-    walk->count = world->terrain_count < TUFF_MAX_PIECES ? world->terrain_count : TUFF_MAX_PIECES;
-    walk->step = 1;
-    if (!tuff_index_in_use(world->chunks)) return false;
-    walk->chunks = world->chunks;
-    walk->large = world->chunks->large;
+    return chunks->capacity < TUFF_MAX_PIECES ? chunks->capacity : TUFF_MAX_PIECES;
+}
+
+/* Where a walk stands in it: between the pieces of chunk (x, y). */
+typedef struct stand {
+    int32_t  x, y;
+    unsigned number;                /* the next in the chunk's bucket; TUFF_NO_PIECE or beyond the index: none */
+    unsigned left;                  /* links that the bucket may still have */
+} stand;
+
+/* The next piece of the area that is near, by rows, then columns; TUFF_NO_PIECE: no more. A bucket may hold other chunks' pieces. Nothing
+   is called in here, so that all of it stays in registers. */
+static inline unsigned next_in_area(const tuff_search *search, stand *at)
+{
+    const tuff_chunks *const chunks = search->world->chunks;
+    const uint16_t *const buckets = chunks->buckets;
+    const tuff_chunk_entry *const entries = chunks->entries;
+    const uint32_t mask = chunks->bucket_count - 1u;
+    const unsigned limit = number_limit(chunks);
+    uint32_t row = tuff_row_hash(at->y);
+    for (;;) {
+        while (at->number < limit && at->left > 0) {
+            const unsigned found = at->number;
+            const tuff_chunk_entry *entry = &entries[found];
+            at->number = entry->next - 1u;
+            --at->left;
+            if (entry->x == at->x && entry->y == at->y && is_near(search, found)) return found;
+        }
+        if (at->x == search->area.high[0]) {
+            if (at->y == search->area.high[1]) return TUFF_NO_PIECE;
+            at->x = search->area.low[0] - 1;
+            row = tuff_row_hash(++at->y);
+        }
+        ++at->x;
+        at->number = buckets[(row + (uint32_t)at->x) & mask] - 1u;
+        at->left = limit;
+    }
+}
+
+TUFF_HOT bool tuff_walk_area(tuff_search *search)
+{
+    stand at = { search->area.low[0] - 1, search->area.low[1], TUFF_NO_PIECE, 0 };
+    unsigned number;
+    while ((number = next_in_area(search, &at)) != TUFF_NO_PIECE) {
+        if (!search->visit(search, (uint16_t)number)) return false;
+    }
     return true;
 }
 
-void tuff_walk_box(tuff_walk *walk, const tuff_world *world, tuff_vec2 center, tuff_real radius, bool ordered)
+/* Where a walk stands in the list of large pieces, which is in the order of their chunks. */
+typedef struct large_list {
+    unsigned number;                /* from the limit on: the end */
+    unsigned left;                  /* links that the list may still have */
+} large_list;
+
+static inline large_list large_pieces(const tuff_chunks *chunks)
 {
-    if (!has_index(walk, world)) return;
-    int32_t x = tuff_floor(center.x);
-    int32_t y = tuff_floor(center.y);
-    int32_t reach = tuff_ceil(radius) + walk->chunks->reach;
-    walk->first_column = tuff_chunk_of(walk->chunks, x - reach);
-    walk->last_column = tuff_chunk_of(walk->chunks, x + reach);
-    walk->row = tuff_chunk_of(walk->chunks, y - reach);
-    walk->last_row = tuff_chunk_of(walk->chunks, y + reach);
-    walk->large_now = !ordered;
-    int64_t chunk_count = (int64_t)(walk->last_column - walk->first_column + 1) * (walk->last_row - walk->row + 1);
-    walk->every = !ordered && chunk_count > walk->chunks->capacity;
-    open_row(walk);
+    large_list list = { chunks->large - 1u, number_limit(chunks) };
+    return list;
 }
 
-/* Ends in whole units are up to 1 unit off in each axis, the slope up to 2^-15 a unit: 3 units and a part of the
-   length. sqrt(1 + m^2) is taken as 1 + 27/64 m, its chord over 0 .. 1 or a little more. */
-static void lay_track(tuff_track *track, int32_t to_major, int32_t to_minor, int32_t reach)
+/* Those whose chunk stands before (x, y). */
+static bool visit_large(tuff_search *search, large_list *list, int32_t x, int32_t y)
 {
-    int32_t length = to_major - track->major;
-    int32_t rise = to_minor - track->minor;
-    int32_t steepness;
-    track->slope = length == 0 ? 0 : (int32_t)((int64_t)rise * 32768 / length);
-    steepness = track->slope < 0 ? -track->slope : track->slope;
-    track->first = lesser32(track->major, to_major);
-    track->last = greater32(track->major, to_major) + 1;
-    track->low = lesser32(track->minor, to_minor) - reach;
-    track->high = greater32(track->minor, to_minor) + 1 + reach;
-    track->margin = reach + ((reach * steepness) >> 15) * 27 / 64 + 4 + ((track->last - track->first) >> 15);
-}
-
-void tuff_walk_line(tuff_walk *walk, const tuff_world *world, tuff_vec2 a, tuff_vec2 b)
-{
-    if (!has_index(walk, world)) return;
-    int32_t ax = tuff_floor(a.x), ay = tuff_floor(a.y);
-    int32_t bx = tuff_floor(b.x), by = tuff_floor(b.y);
-    int32_t reach = walk->chunks->reach;
-    tuff_track *track = &walk->track;
-    walk->is_line = true;
-    walk->large_now = true;
-    walk->along_x = (bx < ax ? ax - bx : bx - ax) >= (by < ay ? ay - by : by - ay);
-    track->major = walk->along_x ? ax : ay;
-    track->minor = walk->along_x ? ay : ax;
-    lay_track(track, walk->along_x ? bx : by, walk->along_x ? by : bx, reach);
-
-    int32_t low_row = tuff_chunk_of(walk->chunks, track->first - reach);
-    int32_t high_row = tuff_chunk_of(walk->chunks, track->last + reach);
-    bool ascending = track->major == track->first;
-    walk->step = ascending ? 1 : -1;
-    walk->row = ascending ? low_row : high_row;
-    walk->last_row = ascending ? high_row : low_row;
-    open_row(walk);
-}
-
-/* The next of all numbers, or of all entries of the index. */
-static uint16_t next_number(tuff_walk *walk)
-{
-    while (walk->number < walk->count) {
-        uint16_t number = walk->number++;
-        if (walk->chunks == NULL) return number;
-        if (number >= walk->chunks->capacity) break;
-        if (walk->chunks->entries[number].next != 0) return number;
+    const tuff_chunks *chunks = search->world->chunks;
+    const unsigned limit = number_limit(chunks);
+    for (; list->left > 0 && list->number < limit; --list->left) {
+        const unsigned number = list->number;
+        const tuff_chunk_entry *entry = &chunks->entries[number];
+        if (entry->y > y || (entry->y == y && entry->x >= x)) return true;
+        list->number = entry->next - 1u;
+        if (!offer(search, number)) return false;
     }
-    return TUFF_NO_PIECE;
+    return true;
 }
 
-/* The next large piece whose turn has come: its chunk stands before this one. */
-static uint16_t next_large(tuff_walk *walk)
-{
-    if (!tuff_link_valid(walk->chunks, walk->large) || walk->number >= walk->chunks->capacity) return TUFF_NO_PIECE;
-    uint16_t number = (uint16_t)(walk->large - 1);
-    const tuff_chunk_entry *entry = &walk->chunks->entries[number];
-    bool due = walk->large_now || entry->y < walk->row || (entry->y == walk->row && entry->x < walk->column);
-    if (!due) return TUFF_NO_PIECE;
-    walk->large = entry->next;
-    ++walk->number;
-    return number;
-}
+/* --- boxes ------------------------------------------------------------------------------------------------- */
 
-/* The next piece of this chunk; a bucket may hold other chunks' pieces. */
-static uint16_t next_in_chunk(tuff_walk *walk)
+/* Large pieces take their turn after the others of their chunk, or if that is to the left of the area, before its row. Rows that have
+   none are walked as a whole. */
+void tuff_walk_with_large(tuff_search *search)
 {
-    int32_t x = walk->along_x ? walk->row : walk->column;
-    int32_t y = walk->along_x ? walk->column : walk->row;
-    while (tuff_link_valid(walk->chunks, walk->link) && walk->left > 0) {
-        --walk->left;
-        uint16_t number = (uint16_t)(walk->link - 1);
-        const tuff_chunk_entry *entry = &walk->chunks->entries[number];
-        walk->link = entry->next;
-        if (entry->x == x && entry->y == y) return number;
-    }
-    return TUFF_NO_PIECE;
-}
-
-/* After the last chunk, the large pieces that are left are due. */
-static void next_chunk(tuff_walk *walk)
-{
-    if (walk->column < walk->last_column) {
-        ++walk->column;
-        open_chunk(walk);
-    } else if (walk->row != walk->last_row) {
-        walk->row += walk->step;
-        open_row(walk);
-    } else {
-        walk->large_now = true;
-        walk->finished = true;
-    }
-}
-
-TUFF_HOT uint16_t tuff_walk_next(tuff_walk *walk)
-{
-    uint16_t number;
-    if (walk->chunks == NULL || walk->every) return next_number(walk);
-    for (;;) {
-        while ((number = next_large(walk)) != TUFF_NO_PIECE) {
-            if (number < walk->count) return number;
+    const tuff_chunks *chunks = search->world->chunks;
+    const tuff_chunk_area all = search->area;
+    tuff_chunk_area *here = &search->area;
+    large_list large = large_pieces(chunks);
+    for (; here->low[1] <= all.high[1]; ++here->low[1]) {
+        here->high[1] = here->low[1];
+        for (here->low[0] = all.low[0]; here->low[0] <= all.high[0]; here->low[0] = here->high[0] + 1) {
+            if (!visit_large(search, &large, here->low[0], here->low[1])) return;
+            bool in_row = large.number < number_limit(chunks) && chunks->entries[large.number].y == here->low[1];
+            here->high[0] = in_row ? here->low[0] : all.high[0];
+            if (!tuff_walk_area(search)) return;
         }
-        while ((number = next_in_chunk(walk)) != TUFF_NO_PIECE) {
-            if (number < walk->count) return number;
-        }
-        if (walk->finished) return TUFF_NO_PIECE;
-        next_chunk(walk);
     }
+    (void)visit_large(search, &large, 0, TUFF_INT32_MAX);
+}
+
+/* Has the box more chunks than the index has entries? */
+static bool more_than_entries(const tuff_chunk_area *all, uint32_t entries)
+{
+    uint32_t columns = (uint32_t)(all->high[0] - all->low[0]) + 1;
+    uint32_t rows = (uint32_t)(all->high[1] - all->low[1]) + 1;
+    return columns > entries || rows > entries || columns * rows > entries;
+}
+
+TUFF_HOT void tuff_walk_box(tuff_search *search, bool ordered)
+{
+    const tuff_chunks *chunks = search->world->chunks;
+    if (!tuff_index_in_use(chunks)) {
+        tuff_walk_numbers(search, NULL);
+        return;
+    }
+    const uint16_t pitch = tuff_pitch(chunks);
+    int32_t reach = tuff_ceil(search->radius) + chunks->reach;
+    int32_t x = tuff_floor(search->center.x);
+    int32_t y = tuff_floor(search->center.y);
+    search->area.low[0] = (x - reach) >> pitch;
+    search->area.low[1] = (y - reach) >> pitch;
+    search->area.high[0] = (x + reach) >> pitch;
+    search->area.high[1] = (y + reach) >> pitch;
+    if (!ordered && more_than_entries(&search->area, chunks->capacity)) tuff_walk_numbers(search, chunks);
+    else if (chunks->large == 0) (void)tuff_walk_area(search);
+    else tuff_walk_with_large(search);
+}
+
+/* --- lines ------------------------------------------------------------------------------------------------- */
+
+static inline int32_t lesser32(int32_t a, int32_t b)                 { return a < b ? a : b; }
+static inline int32_t greater32(int32_t a, int32_t b)                { return a > b ? a : b; }
+static inline int32_t size_of(int32_t a)                             { return a < 0 ? -a : a; }
+static inline int32_t within(int32_t a, int32_t low, int32_t high)   { return lesser32(greater32(a, low), high); }
+
+static inline int32_t minor_at(const tuff_track *line, int32_t major)
+{
+    return line->minor + (line->slope * (within(major, line->first, line->last) - line->first) >> 14);
+}
+
+/* How far from the line, along minor, the center of a circle may be that touches it. For a center c within R of a point x of the
+   line, with u and w the components of x - c, c's minor is that of the line at c's major, plus m u - w, and |m u - w| <=
+   R sqrt(1 + m^2) by Cauchy and Schwarz; beyond the ends the same holds of the end. */
+static inline int32_t margin_of(const tuff_track *line, int32_t reach)
+{
+    return reach + ((reach * line->secant) >> 14) + line->slack;
+}
+
+/* sqrt(1 + m^2) is taken as 1 + 27/64 m, its chord over 0 .. 1 or a little more. Slack: whole units put the ends, and a
+   center, off by less than 1 in each axis, and in their differences less than 1 in minor and less than 1 along the slope;
+   the slope is off by up to 2^-14 a unit, products by 1, the ends that they are held within by 1. */
+static void track_of(tuff_track *line, tuff_vec2 a, tuff_vec2 b)
+{
+    const int32_t ax = tuff_floor(a.x);
+    const int32_t ay = tuff_floor(a.y);
+    const int32_t x = tuff_floor(b.x) - ax;
+    const int32_t y = tuff_floor(b.y) - ay;
+    const bool swapped = size_of(x) < size_of(y);
+    const int32_t way = swapped ? y : x;
+    const int32_t aside = swapped ? x : y;
+    const int32_t length = size_of(way);
+    line->axis = swapped;
+    line->first = swapped ? ay : ax;
+    line->minor = swapped ? ax : ay;
+    if (way < 0) {
+        line->first += way;
+        line->minor += aside;
+    }
+    line->last = line->first + length;
+    line->slope = length == 0 ? 0 : aside * 16384 / way;
+    line->secant = size_of(line->slope) * 27 / 64 + 1;
+    line->slack = 6 + (length >> 14);
+}
+
+/* The walk along a line looks for what is near its middle, and hands on what is near the line. */
+static bool visit_near_line(tuff_search *search, uint16_t number)
+{
+    const tuff_line_search *walk = (const tuff_line_search *)search;
+    const tuff_track *line = &walk->line;
+    const tuff_terrain *piece = &search->world->terrain[number];
+    const tuff_real major = line->axis == 0 ? piece->position.x : piece->position.y;
+    const tuff_real minor = line->axis == 0 ? piece->position.y : piece->position.x;
+    int32_t aside = tuff_floor(minor) - minor_at(line, tuff_floor(major));
+    int32_t margin = margin_of(line, tuff_ceil(piece->bounding_radius));
+    return aside > margin || aside < -margin || walk->visit(search, number);
+}
+
+/* Row by row; of a line along x, rows are columns. */
+static void visit_rows(tuff_line_search *walk, const tuff_chunks *chunks)
+{
+    const tuff_track *line = &walk->line;
+    tuff_chunk_area *area = &walk->search.area;
+    const uint16_t pitch = tuff_pitch(chunks);
+    const int32_t margin = margin_of(line, chunks->reach);
+    const int32_t last_row = (line->last + chunks->reach) >> pitch;
+    int32_t row = (line->first - chunks->reach) >> pitch;
+    int32_t enter = line->minor;
+    large_list large = large_pieces(chunks);
+    for (; row <= last_row; ++row) {
+        int32_t leave = minor_at(line, (row + 1) * ((int32_t)1 << pitch));
+        area->low[line->axis] = row;
+        area->high[line->axis] = row;
+        area->low[!line->axis] = (lesser32(enter, leave) - margin) >> pitch;
+        area->high[!line->axis] = (greater32(enter, leave) + margin) >> pitch;
+        if (!tuff_walk_area(&walk->search)) return;
+        enter = leave;
+    }
+    (void)visit_large(&walk->search, &large, 0, TUFF_INT32_MAX);
+}
+
+TUFF_HOT void tuff_walk_line(tuff_line_search *walk, const tuff_world *world, tuff_vec2 a, tuff_vec2 b)
+{
+    walk->search.world = world;
+    walk->search.visit = visit_near_line;
+    walk->search.radius = tuff_middle(a, b, &walk->search.center);
+    track_of(&walk->line, a, b);
+    if (tuff_index_in_use(world->chunks)) visit_rows(walk, world->chunks);
+    else tuff_walk_numbers(&walk->search, NULL);
 }

@@ -182,6 +182,34 @@ static void test_circles_touch_at_any_distance(void)
     TEST_ASSERT_TRUE(tuff_circles_touch(vec(LOWEST, 0), HIGHEST, vec(0, 0), W(2)));
 }
 
+static void test_squares_touch_at_any_distance(void)
+{
+    TEST_ASSERT_TRUE(tuff_squares_touch(whole(5, -5), W(2), vec(0, 0), W(3)));
+    TEST_ASSERT_FALSE(tuff_squares_touch(whole(5, -4), W(2), vec(0, 0), W(3) - LSB));
+    TEST_ASSERT_FALSE(tuff_squares_touch(whole(-4, -5), W(2), vec(0, 0), W(3) - LSB));
+    TEST_ASSERT_FALSE(tuff_squares_touch(vec(LOWEST, 0), HIGHEST, vec(HIGHEST, 0), W(1449)));
+    TEST_ASSERT_FALSE(tuff_squares_touch(vec(0, HIGHEST), W(1449), vec(0, LOWEST), HIGHEST));
+    TEST_ASSERT_TRUE(tuff_squares_touch(vec(LOWEST + LSB, LOWEST), HIGHEST, vec(HIGHEST, LOWEST), HIGHEST));
+}
+
+static void test_the_middle_of_two_points_has_both_in_its_square(void)
+{
+    const tuff_vec2 ends[] = { vec(LOWEST, LOWEST), vec(HIGHEST, HIGHEST), vec(LOWEST, HIGHEST), vec(0, 0), vec(LSB, -LSB), whole(-3, 4) };
+    const uint8_t count = sizeof ends / sizeof ends[0];
+    for (uint8_t i = 0; i < count * count; i++) {
+        tuff_vec2 a = ends[i % count];
+        tuff_vec2 b = ends[i / count];
+        tuff_vec2 center;
+        tuff_real half = tuff_middle(a, b, &center);
+        TEST_ASSERT_TRUE(tuff_squares_touch(center, half, a, 0));
+        TEST_ASSERT_TRUE(tuff_squares_touch(center, half, b, 0));
+    }
+    tuff_vec2 center;
+    TEST_ASSERT_TRUE(tuff_middle(whole(-6, 2), whole(10, 8), &center) <= W(9));
+    ASSERT_WITHIN(W(1), W(2), center.x);
+    ASSERT_WITHIN(W(1), W(5), center.y);
+}
+
 /* ------------------------------------------------------------------------------------------------ fractions of beams */
 
 /* 3/7 and 1 with every number of bits that an area can have. */
@@ -197,23 +225,29 @@ static void test_ratios_are_right_for_every_size_of_their_terms(void)
     }
 }
 
+static bool ratio_less(tuff_area part, tuff_area whole, tuff_area other_part, tuff_area other_whole)
+{
+    tuff_ratio_of one = { part, whole }, other = { other_part, other_whole };
+    return tuff_ratio_less(&one, &other);
+}
+
 static void test_ratios_compare_by_their_cross_products(void)
 {
     tuff_area large = (tuff_area)INT32_MAX * 1048576;
-    TEST_ASSERT_TRUE(tuff_ratio_less(1, 3, 2, 5));
-    TEST_ASSERT_FALSE(tuff_ratio_less(2, 5, 1, 3));
-    TEST_ASSERT_FALSE(tuff_ratio_less(2, 6, 1, 3));
-    TEST_ASSERT_TRUE(tuff_ratio_less(large / 4, large, large / 2, large));
-    TEST_ASSERT_FALSE(tuff_ratio_less(large / 2, large, large / 4, large));
-    TEST_ASSERT_FALSE(tuff_ratio_less(large, large, large, large));
+    TEST_ASSERT_TRUE(ratio_less(1, 3, 2, 5));
+    TEST_ASSERT_FALSE(ratio_less(2, 5, 1, 3));
+    TEST_ASSERT_FALSE(ratio_less(2, 6, 1, 3));
+    TEST_ASSERT_TRUE(ratio_less(large / 4, large, large / 2, large));
+    TEST_ASSERT_FALSE(ratio_less(large / 2, large, large / 4, large));
+    TEST_ASSERT_FALSE(ratio_less(large, large, large, large));
 }
 
 /* In the fixed build one unit in 2^51 decides. */
 static void test_ratios_of_64_bit_terms_compare_exactly(void)
 {
     tuff_area large = (tuff_area)INT32_MAX * 1048576;
-    TEST_ASSERT_TRUE(tuff_ratio_less(large - 2, large - 1, large - 1, large));
-    TEST_ASSERT_FALSE(tuff_ratio_less(large - 1, large, large - 2, large - 1));
+    TEST_ASSERT_TRUE(ratio_less(large - 2, large - 1, large - 1, large));
+    TEST_ASSERT_FALSE(ratio_less(large - 1, large, large - 2, large - 1));
 }
 
 /* From (-30, 8) along +x, 60 long: a circle of 10 is entered at x = -6. */
@@ -221,21 +255,24 @@ static void test_a_circle_is_entered_where_the_line_meets_its_rim(void)
 {
     tuff_far2 a = tuff_far_sub(whole(-30, 8), vec(0, 0));
     tuff_far2 d = tuff_far_sub(whole(30, 8), whole(-30, 8));
-    ASSERT_WITHIN(UNIT_STEPS(64, 64), TUFF_UNIT_RATIO(2, 5), tuff_circle_entry(a, d, W(10)));
-    ASSERT_WITHIN(UNIT_STEPS(64, 64), TUFF_UNIT_RATIO(1, 2), tuff_circle_entry(a, d, W(8)));
+    ASSERT_WITHIN(UNIT_STEPS(64, 64), TUFF_UNIT_RATIO(2, 5), tuff_circle_entry(&a, &d, W(10)));
+    ASSERT_WITHIN(UNIT_STEPS(64, 64), TUFF_UNIT_RATIO(1, 2), tuff_circle_entry(&a, &d, W(8)));
     a = tuff_far_sub(vec(0, LOWEST), vec(0, 0));
     d = tuff_far_sub(vec(0, HIGHEST), vec(0, LOWEST));
-    ASSERT_WITHIN(UNIT_STEPS(64, 64), TUFF_UNIT_RATIO(INT32_C(32768) - 1024, INT32_C(65536)), tuff_circle_entry(a, d, W(1024)));
+    ASSERT_WITHIN(UNIT_STEPS(64, 64), TUFF_UNIT_RATIO(INT32_C(32768) - 1024, INT32_C(65536)), tuff_circle_entry(&a, &d, W(1024)));
 }
 
 static void test_directions_of_33_bits_are_unit_vectors(void)
 {
-    tuff_unit2 n = tuff_far_direction(tuff_far_sub(vec(HIGHEST, HIGHEST), vec(LOWEST, LOWEST)));
+    tuff_far2 d = tuff_far_sub(vec(HIGHEST, HIGHEST), vec(LOWEST, LOWEST));
+    tuff_unit2 n = tuff_far_direction(&d);
     ASSERT_UNIT(HALF_ROOT, n.x);
     ASSERT_UNIT(HALF_ROOT, n.y);
-    n = tuff_far_direction(tuff_far_sub(vec(LOWEST, 0), vec(HIGHEST, 0)));
+    d = tuff_far_sub(vec(LOWEST, 0), vec(HIGHEST, 0));
+    n = tuff_far_direction(&d);
     ASSERT_VEC_SAME(-ONE, 0, n);
-    n = tuff_far_direction(tuff_far_sub(vec(3 * LSB, 0), vec(0, 4 * LSB)));
+    d = tuff_far_sub(vec(3 * LSB, 0), vec(0, 4 * LSB));
+    n = tuff_far_direction(&d);
     ASSERT_UNIT(TUFF_UNIT_RATIO(3, 5), n.x);
     ASSERT_UNIT(TUFF_UNIT_RATIO(-4, 5), n.y);
 }
@@ -243,11 +280,12 @@ static void test_directions_of_33_bits_are_unit_vectors(void)
 static void test_a_chord_reaches_the_circle_it_touches(void)
 {
     tuff_far2 d = tuff_far_sub(whole(-2, 14), whole(14, 2));   /* passes the origin 10 away, 20 long */
-    tuff_area across = tuff_far_cross(d, tuff_far_sub(whole(14, 2), vec(0, 0)));
-    TEST_ASSERT_TRUE(tuff_chord_reaches(across, d, W(10)));
-    TEST_ASSERT_TRUE(tuff_chord_reaches(-across, d, W(10)));
-    TEST_ASSERT_FALSE(tuff_chord_reaches(across, d, W(10) - NUDGE));
-    TEST_ASSERT_FALSE(tuff_chord_reaches(-across, d, W(10) - NUDGE));
+    tuff_far2 a = tuff_far_sub(whole(14, 2), vec(0, 0));
+    tuff_area across = tuff_far_cross(&d, &a);
+    TEST_ASSERT_TRUE(tuff_chord_reaches(across, &d, W(10)));
+    TEST_ASSERT_TRUE(tuff_chord_reaches(-across, &d, W(10)));
+    TEST_ASSERT_FALSE(tuff_chord_reaches(across, &d, W(10) - NUDGE));
+    TEST_ASSERT_FALSE(tuff_chord_reaches(-across, &d, W(10) - NUDGE));
 }
 
 int main(void)
@@ -263,6 +301,8 @@ int main(void)
     RUN_TEST(test_floor_and_ceiling_bracket_both_signs);
     RUN_TEST(test_the_difference_of_positions_does_not_wrap);
     RUN_TEST(test_circles_touch_at_any_distance);
+    RUN_TEST(test_squares_touch_at_any_distance);
+    RUN_TEST(test_the_middle_of_two_points_has_both_in_its_square);
     RUN_TEST(test_ratios_are_right_for_every_size_of_their_terms);
     RUN_TEST(test_ratios_compare_by_their_cross_products);
     if (IS_FIXED) RUN_TEST(test_ratios_of_64_bit_terms_compare_exactly);

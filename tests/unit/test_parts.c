@@ -235,9 +235,11 @@ static bool residue_contact(uint8_t part_count, tuff_vec2 offset, bool seams, tu
     tuff_terrain piece = { { 0, 0 }, W(10), W(60), parts, part_count };
     tuff_unit2 scratch[4];
     TEST_ASSERT_TRUE(tuff_hull_mover(&mover, W(6), &square, scratch));
-    mover.seams = seams;
-    mover.by_outline = true;
-    return tuff_parts_contact(&piece, offset, &mover, TUFF_RATIO(1, 2), contact);
+    mover.shape.seams = seams;
+    mover.shape.by_outline = true;
+    mover.shape.piece = &piece;
+    mover.shape.offset = offset;
+    return tuff_parts_contact(&mover.shape, TUFF_RATIO(1, 2), contact);
 }
 
 static void test_beside_an_outline_contact_of_a_residue_a_part_overlapped_by_clearly_more_is_left_by_its_outline(void)
@@ -247,10 +249,10 @@ static void test_beside_an_outline_contact_of_a_residue_a_part_overlapped_by_cle
     ASSERT_CONTACT(TUFF_RATIO(17, 2), 0, ONE, c);
     TEST_ASSERT_TRUE(residue_contact(2, vec(W(13), TUFF_RATIO(11, 2)), false, &c));   /* 1 deep: no more than 4 residues */
     ASSERT_CONTACT(TUFF_RATIO(1, 2), 0, -ONE, c);
-    TEST_ASSERT_FALSE(mover.by_outline);
+    TEST_ASSERT_FALSE(mover.shape.by_outline);
     TEST_ASSERT_TRUE(residue_contact(2, vec(W(13), W(6)), false, &c));                /* the outline contact is more than a residue */
     ASSERT_CONTACT(W(1), 0, -ONE, c);
-    TEST_ASSERT_TRUE(mover.by_outline);
+    TEST_ASSERT_TRUE(mover.shape.by_outline);
 }
 
 static void test_a_residue_by_an_internal_edge_is_left_by_an_outline_axis_that_is_hardly_farther(void)

@@ -31,7 +31,8 @@ void setUp(void)
 {
     static const tuff_terrain empty;
     TEST_ASSERT_TRUE(tuff_hull_mover(&mover, W(6), &hull, scratch));
-    mover.piece = NULL;
+    mover.shape.piece = NULL;
+    mover.terrain = terrain;
     for (uint8_t i = 0; i < PIECES; i++) terrain[i] = empty;
     world.terrain = terrain;
     world.terrain_count = PIECES;
@@ -39,6 +40,19 @@ void setUp(void)
 }
 
 void tearDown(void) {}
+
+/* With the hull at this offset. */
+static bool edge_beside(tuff_vec2 offset, const tuff_polygon *part, uint8_t edge)
+{
+    mover.shape.offset = offset;
+    return tuff_edge_beside(&mover, part, edge);
+}
+
+static bool edge_buried(tuff_vec2 offset, const tuff_polygon *part, uint8_t edge)
+{
+    mover.shape.offset = offset;
+    return tuff_edge_buried(&mover, part, edge);
+}
 
 /* ------------------------------------------------------------------------------------------------------- columns */
 
@@ -61,7 +75,7 @@ static void make_columns(int16_t left_drop, int16_t right_drop)
     }
     terrain[0] = piece_of(whole(0, 0), W(20), columns, 2);
     terrain[0].bounding_radius = W(80);
-    mover.piece = &terrain[0];
+    mover.shape.piece = &terrain[0];
 }
 
 /* Axis (x, y) / denominator at the corner where the columns meet. */
@@ -121,7 +135,7 @@ static void test_where_no_other_part_goes_on_the_nearer_normal_tells(void)
 {
     for (uint8_t known = 0; known < 3; known++) {
         make_columns(0, 0);
-        if (known == 0) mover.piece = NULL;
+        if (known == 0) mover.shape.piece = NULL;
         if (known == 1) terrain[0].part_count = 1;
         if (known == 2) columns[1].internal_edges = ALL;
         TEST_ASSERT_FALSE(left_corner_is_internal(3, -4, 5));
@@ -148,7 +162,7 @@ static void test_a_hulls_own_axis_at_a_seam_is_not_taken_and_at_an_outline_corne
 
 static bool beside_top(uint8_t column, int16_t x)
 {
-    return tuff_edge_beside(&mover, whole(x, -3), &columns[column], TOP);
+    return edge_beside(whole(x, -3), &columns[column], TOP);
 }
 
 static void test_a_hull_is_beside_an_edge_only_wholly_beyond_its_internal_end(void)
@@ -178,9 +192,9 @@ static void test_a_hull_is_beside_an_edge_in_either_winding(void)
     DEFINE_BOX_REVERSED(reversed, -10, -10, 10, 10);   /* edge 3 is the top, from right to left; 2 the right side */
     tuff_polygon part = reversed;
     part.internal_edges = 4;
-    TEST_ASSERT_TRUE(tuff_edge_beside(&mover, whole(15, -13), &part, 3));
-    TEST_ASSERT_FALSE(tuff_edge_beside(&mover, whole(0, -13), &part, 3));
-    TEST_ASSERT_FALSE(tuff_edge_beside(&mover, whole(-15, -13), &part, 3));
+    TEST_ASSERT_TRUE(edge_beside(whole(15, -13), &part, 3));
+    TEST_ASSERT_FALSE(edge_beside(whole(0, -13), &part, 3));
+    TEST_ASSERT_FALSE(edge_beside(whole(-15, -13), &part, 3));
 }
 
 /* --------------------------------------------------------------------------------------------------------- buried */
@@ -190,21 +204,21 @@ static void make_neighbors(tuff_real x, tuff_real y)
 {
     terrain[0] = piece_of(whole(100, -50), W(5), &box, 1);
     terrain[1] = piece_of(vec(W(100) + x, W(-50) + y), W(5), &box, 1);
-    mover.piece = &terrain[0];
-    mover.neighbors[0] = &terrain[0];
-    mover.neighbors[1] = &terrain[1];
-    mover.neighbor_count = 2;
-    mover.seams = true;
+    mover.shape.piece = &terrain[0];
+    mover.neighbors[0] = 0;
+    mover.neighbors[1] = 1;
+    mover.shape.neighbor_count = 2;
+    mover.shape.seams = true;
 }
 
 static bool right_side_buried(int16_t y)
 {
-    return tuff_edge_buried(&mover, whole(12, y), &box, RIGHT_SIDE);
+    return edge_buried(whole(12, y), &box, RIGHT_SIDE);
 }
 
 static bool top_buried(int16_t x)
 {
-    return tuff_edge_buried(&mover, whole(x, -12), &box, TOP);
+    return edge_buried(whole(x, -12), &box, TOP);
 }
 
 static void test_a_side_that_a_neighbor_covers_is_buried_wherever_the_hull_is(void)
@@ -251,12 +265,12 @@ static void test_a_gap_or_a_step_of_a_residue_is_none(void)
 static void test_a_piece_does_not_bury_its_own_sides(void)
 {
     make_columns(0, 0);
-    mover.neighbors[0] = &terrain[0];
-    mover.neighbor_count = 1;
-    TEST_ASSERT_FALSE(tuff_edge_buried(&mover, whole(3, 20), &columns[0], RIGHT_SIDE));
+    mover.neighbors[0] = 0;
+    mover.shape.neighbor_count = 1;
+    TEST_ASSERT_FALSE(edge_buried(whole(3, 20), &columns[0], RIGHT_SIDE));
     terrain[1] = terrain[0];
-    mover.neighbors[0] = &terrain[1];
-    TEST_ASSERT_TRUE(tuff_edge_buried(&mover, whole(3, 20), &columns[0], RIGHT_SIDE));
+    mover.neighbors[0] = 1;
+    TEST_ASSERT_TRUE(edge_buried(whole(3, 20), &columns[0], RIGHT_SIDE));
 }
 
 static void test_a_neighbor_that_is_not_baked_buries_nothing(void)
@@ -282,7 +296,7 @@ static void test_a_corner_that_a_neighbor_rises_from_is_internal_while_seams_mat
     make_neighbors(W(20), W(-5));
     TEST_ASSERT_TRUE(tuff_corner_is_internal(&mover, &box, 1, up));
     TEST_ASSERT_FALSE(tuff_corner_is_internal(&mover, &box, 0, up));
-    mover.seams = false;
+    mover.shape.seams = false;
     TEST_ASSERT_FALSE(tuff_corner_is_internal(&mover, &box, 1, across));
 }
 

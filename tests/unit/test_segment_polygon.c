@@ -141,6 +141,23 @@ static void test_the_longest_lines_are_judged_exactly(void)
     ASSERT_HIT(vec(LOWEST, W(10) + LSB), vec(HIGHEST, W(10) - LSB), &box);
 }
 
+/* The fixed build judges ends within 8,192 units another way. */
+static void test_the_length_does_not_matter_where_the_way_of_judging_changes(void)
+{
+    const tuff_real reaches[] = { W(8192) - LSB, W(8192), W(8192) + LSB, W(8193), W(20000) };
+    unsigned i;
+    for (i = 0; i < sizeof reaches / sizeof *reaches; ++i) {
+        const tuff_real r = reaches[i];
+        ASSERT_HIT(vec(-r, W(10)), vec(r, W(10)), &box);
+        ASSERT_HIT(vec(-r, W(10)), whole(20, 10), &box);
+        ASSERT_MISS(vec(-r, W(10) + LSB), vec(r, W(10) + LSB), &box);
+        ASSERT_HIT(vec(-r, W(20) - r), vec(r, W(20) + r), &reversed);     /* past the corner (-10, 10) */
+        ASSERT_HIT(vec(-r, W(20) - r), whole(0, 20), &box);
+        ASSERT_MISS(vec(-r, W(20) - r), whole(-11, 9), &box);
+        ASSERT_MISS(vec(-r, W(20) + LSB - r), vec(r, W(20) + LSB + r), &box);
+    }
+}
+
 static void test_a_beam_between_two_polygons_that_share_an_edge_hits(void)
 {
     static const tuff_vec2 left_vertices[4] = BOX_VERTICES(-20, -10, 0, 10);
@@ -219,6 +236,7 @@ int main(void)
     RUN_TEST(test_either_winding_gives_the_same);
     RUN_TEST(test_differences_of_33_bits_do_not_wrap);
     if (IS_FIXED) RUN_TEST(test_the_longest_lines_are_judged_exactly);
+    if (IS_FIXED) RUN_TEST(test_the_length_does_not_matter_where_the_way_of_judging_changes);
     RUN_TEST(test_a_beam_between_two_polygons_that_share_an_edge_hits);
     RUN_TEST(test_the_normals_do_not_matter_but_must_be_there);
     RUN_TEST(test_a_polygon_that_is_not_baked_misses);

@@ -11,49 +11,61 @@
 
 DEFINE_TERRAIN(PIECES, 8, 4);   /* 16 units */
 static tuff_world world = { terrain, PIECES, &chunks, NULL, 0, TUFF_ORDER_ITERATION };
-static uint16_t met[PIECES];
+static uint16_t met[2 * PIECES];
 static uint16_t met_count;
+static uint16_t enough;         /* so many are met, then the visitor has had enough */
+static const tuff_terrain empty_slot;
 
 void setUp(void)
 {
+    enough = PIECES + 1;
     world.terrain_count = PIECES;
     world.chunks = &chunks;
     chunks.pitch_log2 = 4;
     tuff_chunks_clear(&chunks);
+    for (uint8_t i = 0; i < PIECES; i++) terrain[i] = empty_slot;
 }
 
 void tearDown(void) {}
 
+static void insert_at(uint16_t piece, tuff_vec2 position, tuff_real bounding_radius)
+{
+    terrain[piece].position = position;
+    terrain[piece].bounding_radius = bounding_radius;
+    TEST_ASSERT_TRUE(tuff_chunks_insert(&chunks, piece, position, bounding_radius));
+}
+
 static void insert(uint16_t piece, int16_t x, int16_t y, int16_t bounding_radius)
 {
-    TEST_ASSERT_TRUE(tuff_chunks_insert(&chunks, piece, whole(x, y), tuff_from_int(bounding_radius)));
+    insert_at(piece, whole(x, y), tuff_from_int(bounding_radius));
 }
 
 /* Notes what a walk meets; more than there is to meet is a failure of its own. */
-static void follow(tuff_walk *walk)
+static bool meet(tuff_search *search, uint16_t piece)
 {
-    uint16_t piece;
-    met_count = 0;
-    while ((piece = tuff_walk_next(walk)) != TUFF_NO_PIECE) {
-        TEST_ASSERT_TRUE(met_count < PIECES);
-        TEST_ASSERT_TRUE(piece < world.terrain_count);
-        met[met_count++] = piece;
-    }
-    TEST_ASSERT_EQUAL_INT(TUFF_NO_PIECE, tuff_walk_next(walk));
+    TEST_ASSERT_TRUE(met_count < 2 * PIECES);
+    TEST_ASSERT_TRUE(piece < search->world->terrain_count);
+    met[met_count++] = piece;
+    return met_count < enough;
 }
 
 static void walk_box(int16_t x, int16_t y, int16_t radius, bool ordered)
 {
-    tuff_walk walk;
-    tuff_walk_box(&walk, &world, whole(x, y), tuff_from_int(radius), ordered);
-    follow(&walk);
+    tuff_search search;
+    search.world = &world;
+    search.visit = meet;
+    search.center = whole(x, y);
+    search.radius = tuff_from_int(radius);
+    met_count = 0;
+    tuff_walk_box(&search, ordered);
 }
 
 static void walk_line(tuff_vec2 a, tuff_vec2 b)
 {
-    tuff_walk walk;
+    tuff_line_search walk;
+    walk.visit = meet;
+    met_count = 0;
     tuff_walk_line(&walk, &world, a, b);
-    follow(&walk);
 }
 
 static uint16_t times_met(uint16_t piece)
@@ -116,7 +128,7 @@ static void test_large_pieces_come_in_their_own_chunks_turn(void)
 static void test_large_pieces_of_a_row_come_by_x_and_then_as_inserted(void)
 {
     static const uint16_t expected[] = { 8, 5, 2, 9, 1 };
-    insert(1, 300, 5, 400);
+    insert(1, 150, 5, 400);
     insert(5, 5, 5, 400);
     insert(2, 5, 8, 400);
     insert(8, -300, 5, 400);
@@ -253,9 +265,9 @@ static void test_a_line_does_not_visit_the_box_around_it(void)
 static void test_a_line_across_the_whole_range_meets_both_its_ends(void)
 {
     chunks.pitch_log2 = 10;
-    TEST_ASSERT_TRUE(tuff_chunks_insert(&chunks, 0, vec(LOWEST, LOWEST), W(5)));
-    TEST_ASSERT_TRUE(tuff_chunks_insert(&chunks, 1, vec(HIGHEST, HIGHEST), W(5)));
-    TEST_ASSERT_TRUE(tuff_chunks_insert(&chunks, 2, vec(HIGHEST, LOWEST), W(5)));
+    insert_at(0, vec(LOWEST, LOWEST), W(5));
+    insert_at(1, vec(HIGHEST, HIGHEST), W(5));
+    insert_at(2, vec(HIGHEST, LOWEST), W(5));
     insert(3, 3, -3, 5);
     walk_line(vec(LOWEST, LOWEST), vec(HIGHEST, HIGHEST));
     TEST_ASSERT_EQUAL_INT(3, met_count);
@@ -274,17 +286,62 @@ static void test_a_line_without_length_is_a_point(void)
     ASSERT_MET_ONLY(0);
 }
 
+/* Each list for as many steps as there are entries. */
 static void test_lists_in_a_circle_end(void)
 {
-    tuff_walk walk;
-    uint16_t steps = 0;
     for (uint16_t i = 0; i < 3; i++) insert(i, 5, 5, 4);
     for (uint16_t i = 3; i < 6; i++) insert(i, 5, 5, 400);
     entries[2].next = 1;
     entries[5].next = 4;
-    tuff_walk_box(&walk, &world, whole(5, 5), W(5), true);
-    while (steps < 1000 && tuff_walk_next(&walk) != TUFF_NO_PIECE) steps++;
-    TEST_ASSERT_TRUE(steps < 1000);
+    enough = 2 * PIECES + 1;
+    walk_box(5, 5, 5, true);
+    TEST_ASSERT_EQUAL_INT(2 * PIECES, met_count);
+}
+
+static void test_a_visitor_may_have_enough(void)
+{
+    for (uint16_t i = 0; i < 6; i++) insert(i, (int16_t)(5 * i), 5, i < 3 ? 4 : 400);
+    for (enough = 1; enough <= 6; enough++) {
+        walk_box(5, 5, 30, true);
+        TEST_ASSERT_EQUAL_INT(enough, met_count);
+        walk_box(5, 5, 30, false);
+        TEST_ASSERT_EQUAL_INT(enough, met_count);
+        walk_line(whole(0, 5), whole(30, 5));
+        TEST_ASSERT_EQUAL_INT(enough, met_count);
+        world.chunks = NULL;
+        walk_box(5, 5, 30, false);
+        TEST_ASSERT_EQUAL_INT(enough, met_count);
+        world.chunks = &chunks;
+    }
+}
+
+/* A walk goes by where the body is now: the second piece is out of reach from where it began. */
+static bool meet_and_move(tuff_search *search, uint16_t piece)
+{
+    search->center = whole(20, 5);
+    return meet(search, piece);
+}
+
+static void test_the_center_may_move(void)
+{
+    tuff_search search = { &world, meet_and_move, whole(5, 5), W(2), { { 0, 0 }, { 0, 0 } } };
+    insert(0, 4, 5, 4);
+    insert(1, 15, 5, 4);
+    met_count = 0;
+    tuff_walk_box(&search, true);
+    TEST_ASSERT_EQUAL_INT(2, met_count);
+}
+
+static void test_of_the_chunks_pieces_only_those_in_reach_are_met(void)
+{
+    insert(0, 1, 1, 3);
+    insert(1, 14, 14, 3);
+    walk_box(3, 3, 1, true);
+    ASSERT_MET_ONLY(0);
+    walk_box(14, 3, 8, true);
+    ASSERT_MET_ONLY(1);
+    walk_line(whole(0, 14), whole(13, 14));
+    ASSERT_MET_ONLY(1);
 }
 
 int main(void)
@@ -305,5 +362,8 @@ int main(void)
     RUN_TEST(test_a_line_across_the_whole_range_meets_both_its_ends);
     RUN_TEST(test_a_line_without_length_is_a_point);
     RUN_TEST(test_lists_in_a_circle_end);
+    RUN_TEST(test_a_visitor_may_have_enough);
+    RUN_TEST(test_the_center_may_move);
+    RUN_TEST(test_of_the_chunks_pieces_only_those_in_reach_are_met);
     return UNITY_END();
 }

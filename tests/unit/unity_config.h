@@ -12,7 +12,19 @@
 
 /* Where string literals take RAM (AVR), the names of the tests do not fit: the line number tells which it was. */
 #ifdef TEST_NAMES_OFF
-#define RUN_TEST(test) UnityDefaultTestRun(test, "", __LINE__)
+#define TEST_NAME(text) ""
+#else
+#define TEST_NAME(text) text
 #endif
+
+/* Where flash is small, a file of tests makes TEST_SLICES programs, and each runs its share. */
+#ifndef TEST_SLICES
+#define TEST_SLICES 1
+#define TEST_SLICE  0
+#endif
+#define RUN_TEST(test) \
+    do { \
+        if (__LINE__ % TEST_SLICES == TEST_SLICE) UnityDefaultTestRun(test, TEST_NAME(#test), __LINE__); \
+    } while (0)
 
 #endif
