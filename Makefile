@@ -69,7 +69,7 @@ SHAPES      := PYTHONPATH=tools/shapes $(SHAPE_TOOLS)/bin/python -m tuff_shapes
 
 # ---- Targets that people call
 
-.PHONY: all demo demo-program test bench bench-program gate-program bench-models chart stability picture single shapes shape-tools rocks-draw install help clean
+.PHONY: all demo demo-program test bench bench-program gate-program cycles bench-models chart stability picture targets size rom rom-program rom-picture single shapes shape-tools rocks-draw install help clean
 .PHONY: check-symbols FORCE
 .DELETE_ON_ERROR:
 .SECONDARY:
@@ -91,12 +91,15 @@ bench-program: $(BUILD)/tuff-bench ## build the bench program only: build/tuff-b
 
 gate-program: $(BUILD)/tuff-gate
 
+cycles: ## count cycles and instructions on the machines of ports: build/cycles.csv and tables
+	@MAKE='$(MAKE_COMMAND)' CC='$(CC)' CXX='$(CXX)' scripts/run-cycles
+
 bench-models: $(SHAPE_TOOLS)/ready ## measure what models of an outline cost and buy: build/bench/models.csv (Python 3.11)
 	@scripts/get-bench-tools
 	@$(MAKE) --no-print-directory CFLAGS=-O2 $(BUILD)/bench-models
 	@PYTHONPATH=tools/shapes $(SHAPE_TOOLS)/bin/python tests/bench/models.py $(BUILD)/bench-models $(ROCKS) $(BUILD)/bench/models.csv
 
-chart: $(SHAPE_TOOLS)/ready ## draw docs/charts from the tables that bench and bench-models made (Python 3.11)
+chart: $(SHAPE_TOOLS)/ready ## draw docs/charts from the tables that bench, bench-models and cycles made (Python 3.11)
 	@$(SHAPE_TOOLS)/bin/python tests/bench/chart.py $(BUILD)/bench docs/charts
 
 check-symbols: $(LIBRARIES) ## show that the libraries hold no mutable data, and the fixed one no float
@@ -117,6 +120,27 @@ shape-tools: $(SHAPE_TOOLS)/ready ## get what shapes needs, into build/shape-too
 
 rocks-draw: $(SHAPE_TOOLS)/ready ## draw the pictures of the demo's rocks anew: ports/scene/rocks
 	$(SHAPE_TOOLS)/bin/python ports/scene/rocks/draw.py
+
+targets: ## run the unit tests and the golden replay on all machines of ports/machines, in their emulators: build/targets.csv; one alone: make target-gba
+	@MAKE='$(MAKE_COMMAND)' UNITY_DIR='$(abspath $(UNITY_DIR))' scripts/run-targets
+
+MACHINES := $(patsubst ports/machines/%.mk,%,$(wildcard ports/machines/*.mk))
+.PHONY: $(MACHINES:%=target-%)
+$(MACHINES:%=target-%): target-%:
+	@MAKE='$(MAKE_COMMAND)' UNITY_DIR='$(abspath $(UNITY_DIR))' scripts/run-target $*
+
+size: ## measure code, RAM and stack on each machine by feature set: build/size.csv and a table (gets compilers)
+	@MAKE='$(MAKE_COMMAND)' scripts/print-size
+
+rom: rom-program ## build the demo as a Game Boy Advance ROM: build/tuff.gba
+	@arm-none-eabi-size -A $(BUILD)/rom/tuff.elf | awk '/^\.(iwram|text|data|bss|ewram)/ { printf "%s %s  ", $$1, $$2 } END { print "bytes" }'
+
+rom-program: FORCE
+	@scripts/get-target-tools gba
+	@$(MAKE) --no-print-directory -s -f ports/gba/rom/rom.mk OUT=$(BUILD)/rom ROM=$(BUILD)/tuff.gba $(BUILD)/tuff.gba $(BUILD)/rom/run
+
+rom-picture: rom-program $(BUILD)/picture-tools/ready ## draw the ROM's screenshots, docs/gba-*.png (Python 3, Pillow)
+	$(BUILD)/picture-tools/bin/python ports/gba/rom/picture.py $(BUILD)/rom/run $(BUILD)/tuff.gba
 
 single: ## write the whole library as two files: build/single/tuff.h and tuff.c
 	@scripts/make-single $(BUILD)/single
@@ -284,6 +308,7 @@ bench_objects = $(call objects,plain,once,$(call bench_names,$(1),once)) $(call 
 BENCH_OBJECTS   := $(call bench_objects,bench)
 GATE_OBJECTS    := $(call bench_objects,gate)
 MODEL_OBJECTS   := $(call bench_objects,models)
+SET_OBJECTS     := $(call bench_objects,sets)
 BENCH_LIBRARIES := $(LIBRARIES) $(BUILD)/make/plain/libhost-q16.a $(BUILD)/make/plain/libhost-cxx.a
 
 $(BUILD)/tuff-bench: $(BENCH_OBJECTS) $(BENCH_LIBRARIES) tests/bench/bench.list
@@ -293,6 +318,15 @@ $(BUILD)/tuff-bench: $(BENCH_OBJECTS) $(BENCH_LIBRARIES) tests/bench/bench.list
 $(BUILD)/tuff-gate: $(GATE_OBJECTS) $(BENCH_LIBRARIES) tests/bench/bench.list
 	$(call say,LINK,$@)
 	$(Q)$(CC) $(CFLAGS) $(LDFLAGS) $(GATE_OBJECTS) $(BENCH_LIBRARIES) -lquadmath -lm -o $@
+
+$(BUILD)/bench-sets: $(SET_OBJECTS) $(BENCH_LIBRARIES) tests/bench/bench.list
+	$(call say,LINK,$@)
+	$(Q)$(CC) $(CFLAGS) $(LDFLAGS) $(SET_OBJECTS) $(BENCH_LIBRARIES) -lquadmath -lm -o $@
+
+$(BUILD)/count.so: ports/qemu/count.c
+	@mkdir -p $(@D)
+	$(call say,LINK,$@)
+	$(Q)$(CC) -std=c99 -O2 $(WARNINGS) $(WERROR) -fPIC -shared $< -o $@
 
 $(BUILD)/bench-models: $(MODEL_OBJECTS) $(LIBRARIES) tests/bench/bench.list
 	$(call say,LINK,$@)
