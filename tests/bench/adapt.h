@@ -5,7 +5,7 @@
 #ifndef TUFF_BENCH_ADAPT_H
 #define TUFF_BENCH_ADAPT_H
 
-#include "bench.h"
+#include "inputs.h"
 #include "tuff/tuff.h"
 
 #if TUFF_SCALAR == TUFF_Q16_16

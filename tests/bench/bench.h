@@ -1,35 +1,26 @@
 /* SPDX-License-Identifier: Zlib
    Copyright (c) 2026 the tuff authors
 
-   What the parts of the bench share, free of any library's types: the inputs (raw Q16.16 integers within 256 units, which float and
-   double hold exactly), the methods that answer them, and the measuring. */
+   What the parts of the bench share, free of any library's types: sets of inputs, the methods that answer them, and the measuring. */
 #ifndef TUFF_BENCH_H
 #define TUFF_BENCH_H
 
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "inputs.h"
+
 #ifdef __cplusplus
 extern "C" {
 #endif
 
-#define BENCH_ONE           65536    /* 1 unit */
-#define BENCH_MAX_VERTICES  16
 #define BENCH_SHAPES        36       /* polygons shared by the pairs of a set */
 #define BENCH_HULLS         12
 #define BENCH_PAIRS         3000     /* of a set, all of them judged ... */
 #define BENCH_TIMED_PAIRS   600      /* ... and the first ones timed and counted; a third of each class */
 #define BENCH_MAX_ITEMS     4096     /* of one measured run */
 
-typedef enum bench_kind  { BENCH_CIRCLE, BENCH_HULL, BENCH_SEGMENT, BENCH_KINDS } bench_kind;
 typedef enum bench_class { BENCH_OVERLAP, BENCH_NEAR, BENCH_FAR, BENCH_CLASSES, BENCH_ALL = BENCH_CLASSES } bench_class;
-
-typedef struct bench_point { int32_t x, y; } bench_point;
-
-typedef struct bench_shape {        /* convex, counterclockwise where y grows upwards */
-    bench_point vertices[BENCH_MAX_VERTICES];
-    int count;
-} bench_shape;
 
 typedef struct bench_pair {         /* the polygon stands at the origin */
     bench_point a, b;               /* the circle's center, the hull's position, or the segment's ends */
@@ -93,34 +84,12 @@ void bench_pairs(bench_kind kind);
 
 /* ---- scenes ---- */
 
-#define BENCH_PIECES   256
-#define BENCH_OCTAGONS 8
-#define BENCH_ENEMIES  24
-#define BENCH_SHOTS    48
-#define BENCH_BODIES   (1 + BENCH_ENEMIES + BENCH_SHOTS)     /* the ship comes first */
-#define BENCH_BEAMS    6
-#define BENCH_FRAMES   120
-#define BENCH_SIDE     2048
-
-typedef struct bench_piece { bench_point position; uint8_t shape; } bench_piece;
-typedef struct bench_body  { bench_point position, velocity; } bench_body;
-
-typedef struct bench_frame {        /* where everything is before the frame's calls, for every method the same */
-    bench_body  bodies[BENCH_BODIES];
-    bench_point beams[BENCH_BEAMS][2];
-} bench_frame;
-
 typedef struct bench_scene {
     bench_shape octagons[BENCH_OCTAGONS], hull;
     int32_t     radii[BENCH_OCTAGONS];      /* bounding radii */
     bench_piece pieces[BENCH_PIECES];
     bench_frame frames[BENCH_FRAMES];
 } bench_scene;
-
-static inline int32_t bench_body_radius(int body)
-{
-    return (body == 0 ? 8 : body <= BENCH_ENEMIES ? 6 : 2) * BENCH_ONE;
-}
 
 typedef struct bench_scene_method {
     const char *scene, *name, *build;

@@ -8,9 +8,9 @@ import argparse
 import sys
 from pathlib import Path
 
-from charts import accuracy, look, models, scale, tables
+from charts import accuracy, look, machines, models, scale, tables
 
-CHARTS = {"accuracy": accuracy, "scale": scale, "models": models}
+CHARTS = {"accuracy": accuracy, "scale": scale, "models": models, "machines": machines}
 
 
 def main():

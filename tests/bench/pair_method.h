@@ -8,6 +8,7 @@
 #define TUFF_BENCH_PAIR_METHOD_H
 
 #include "adapt.h"
+#include "bench.h"
 #include "exact.h"
 
 typedef struct mover {

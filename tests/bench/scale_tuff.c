@@ -3,6 +3,7 @@
 
    Calls in worlds of any size, with the index: a bucket for each piece, as far as buckets go. */
 #include "adapt.h"
+#include "bench.h"
 
 #include <string.h>
 

@@ -4,6 +4,7 @@
    A frame of the scene by the textbook's tests: tuff's index says which pieces are near, each is rejected by its bounding circle or tested,
    pushed out of and bounced off. */
 #include "adapt.h"
+#include "bench.h"
 #include "textbook.h"
 
 #define method TUFF_LINK_NAME(bench_textbook_scene)

@@ -4,6 +4,7 @@
    A frame of the scene by tuff's own calls: with the index, and by linear scan. The ship's hull has no normals, and gets them at each call
    that needs them. */
 #include "adapt.h"
+#include "bench.h"
 
 #define indexed  TUFF_LINK_NAME(bench_scene)
 #define linear   TUFF_LINK_NAME(bench_linear_scene)

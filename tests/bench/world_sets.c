@@ -5,8 +5,7 @@
 #include "adapt.h"
 #include "sets.h"
 
-#define STEPS_A_FRAME 5
-#define SCREEN        512.0        /* half a side of the square in which the calls of a crowd are made */
+#define SCREEN 512.0        /* half a side of the square in which the calls of a crowd are made */
 
 static int32_t raw(double units)
 {
@@ -107,18 +106,28 @@ static void record(const flight *f, random_source *source, bench_frame *frame)
     }
 }
 
-void bench_make_scene(bench_scene *scene)
+static void fly(bench_scene *scene, bench_frame *frames, int steps_a_frame)
 {
     static flight f;
     random_source source = random_stream(1, 0);
     make_shapes(&source, scene->octagons, scene->radii, &scene->hull);
     make_pieces(&source, scene->pieces, BENCH_PIECES, BENCH_SIDE / 2);
     begin_flight(&f, &source, scene);
-    for (int step = 0; step < BENCH_FRAMES * STEPS_A_FRAME; step++) {
+    for (int step = 0; step < BENCH_STEPS; step++) {
         for (int i = 0; i < BENCH_BODIES; i++) advance(&f.bodies[i], &source, i <= BENCH_ENEMIES ? 2.0 : 6.0);
-        if (step % STEPS_A_FRAME == 0) record(&f, &source, &scene->frames[step / STEPS_A_FRAME]);
+        if (step % steps_a_frame == 0) record(&f, &source, &frames[step / steps_a_frame]);
         for (int i = 0; i < BENCH_BODIES; i++) tuff_terrain_collide(&f.world, &f.bodies[i], bench_body_radius(i), i == 0 ? &f.hull : NULL);
     }
+}
+
+void bench_make_scene(bench_scene *scene)
+{
+    fly(scene, scene->frames, BENCH_STEPS / BENCH_FRAMES);
+}
+
+void bench_make_whole_scene(bench_scene *scene, bench_frame *frames)
+{
+    fly(scene, frames, 1);
 }
 
 /* ---- the crowd ---- */

@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: Zlib
 # Copyright (c) 2026 the tuff authors
 #
-# The CSV files of build/bench: rows as dictionaries, in which what looks like a number is one and an empty field is None.
+# The CSV files of build/bench, and build/cycles.csv: rows as dictionaries, in which what looks like a number is one and an empty field is
+# None.
 import csv
 from pathlib import Path
 
-MADE_BY = {"pairs": "make bench", "scenes": "make bench", "scale": "make bench", "models": "make bench-models"}
+MADE_BY = {"pairs": "make bench", "scenes": "make bench", "scale": "make bench", "models": "make bench-models",
+           "cycles": "make cycles"}
 
 
 class Missing(Exception):
@@ -41,5 +43,5 @@ def having(rows, **wanted):
     found = [row for row in rows if all(row[column] == value for column, value in wanted.items())]
     if not found:
         listed = ", ".join(f"{column} {value}" for column, value in wanted.items())
-        raise Missing(f"no row has {listed}: `make bench` and `make bench-models` make the tables anew")
+        raise Missing(f"no row has {listed}: `make bench`, `make bench-models` and `make cycles` make the tables anew")
     return found
