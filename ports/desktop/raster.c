@@ -8,24 +8,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* 0xRRGGBB, in the order of SCENE_COLOR_... */
-static const uint32_t palette[SCENE_COLORS] = {
-    0x080a14, 0x50587a, 0xaab4d2,
-    0x2c4060, 0x74bede, 0x182236,
-    0x5a5258, 0xb4a496, 0x362f37,
-    0x3e4a78, 0x94acea, 0x252c4c,
-    0x7e3022, 0xff9a4a, 0x4a1a1a,
-    0x2c2840, 0x6e6496,
-    0x3e6650, 0xa0dca0, 0x24402f,
-    0xe6eef6, 0x5ab4ff, 0x5ac8ff, 0xffa83c,
-    0xfff08c, 0x5affc8, 0xffd890,
-    0xb42860, 0xff82aa, 0xfff0f0,
-    0x3c6c82, 0x5adcff,
-    0x9c8838, 0xffe03c,
-    0x78ff78, 0xff5ac8,
-    0xff4040
-};
-
 bool raster_resize(raster *r, unsigned width, unsigned height)
 {
     size_t pixels = (size_t)width * height;
@@ -71,7 +53,7 @@ static void fill_row(const pane *p, int y, double from, double to, const scene_m
 {
     if (!(to > p->left && from < p->right)) return;
     int first = from <= p->left ? p->left : (int)ceil(from - 0.5), last = to >= p->right ? p->right : (int)ceil(to - 0.5);
-    uint32_t color = palette[mark->color];
+    uint32_t color = scene_palette[mark->color];
     uint8_t *sample = p->target->fine + ((size_t)y * p->target->width * RASTER_FINE + (size_t)first) * 3;
     for (int x = first; x < last; x++, sample += 3) {
         sample[0] = mixed(sample[0], color >> 16 & 255, mark->strength);

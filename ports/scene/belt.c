@@ -6,10 +6,11 @@
 
 #include "inner.h"
 
-/* A random place where a circle touches no bounding circle. False: none found in a few dozen tries. */
+/* A random place where a circle touches no bounding circle. False: none found in a few tries. */
 bool scene_clear_spot(scene *s, tuff_real radius, int32_t from_ship, tuff_vec2 *spot)
 {
-    for (uint8_t attempt = 0; attempt < 60; attempt++) {
+    uint8_t tries = s->frame == 0 ? SCENE_FIRST_TRIES : SCENE_TRIES;
+    for (uint8_t attempt = 0; attempt < tries; attempt++) {
         int32_t x = (int32_t)scene_random(s, 1240) - 620, y = (int32_t)scene_random(s, 320) - 215;
         tuff_vec2 place = scene_vec2(x * SCENE_ONE, y * SCENE_ONE);
         scene_int2 way = scene_toward(s->ship.position, place);

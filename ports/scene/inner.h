@@ -13,10 +13,9 @@
 #define scene_facing_of      TUFF_LINK_NAME(scene_facing_of)
 #define scene_distance       TUFF_LINK_NAME(scene_distance)
 #define scene_root           TUFF_LINK_NAME(scene_root)
-#define scene_raw            TUFF_LINK_NAME(scene_raw)
-#define scene_vec2           TUFF_LINK_NAME(scene_vec2)
 #define scene_raw_unit2      TUFF_LINK_NAME(scene_raw_unit2)
 #define scene_toward         TUFF_LINK_NAME(scene_toward)
+#define scene_floor_divide   TUFF_LINK_NAME(scene_floor_divide)
 #define scene_rock           TUFF_LINK_NAME(scene_rock)
 #define scene_build_floor    TUFF_LINK_NAME(scene_build_floor)
 #define scene_build_world    TUFF_LINK_NAME(scene_build_world)
@@ -46,8 +45,6 @@
 #define scene_draw_round     TUFF_LINK_NAME(scene_draw_round)
 #define scene_out_of_view    TUFF_LINK_NAME(scene_out_of_view)
 
-typedef struct scene_int2 { int32_t x, y; } scene_int2;
-
 /* Measures of the belt, in whole units; y grows downward. */
 #define SCENE_SIDE        620    /* a soft field turns bodies back beyond |x| = SCENE_SIDE ... */
 #define SCENE_TOP         (-250)   /* ... and above y = SCENE_TOP */
@@ -60,10 +57,28 @@ typedef struct scene_int2 { int32_t x, y; } scene_int2;
 #define SCENE_FLOATER_SHAPE    0     /* the first of the small ones */
 #define SCENE_BEAM_LENGTH      220
 #define SCENE_ROCK_HITS        4
+#define SCENE_FIRST_TRIES      60    /* of a place for a thing, before the first step */
 #define SCENE_ONE              ((int32_t)65536)   /* 1 in Q16.16 */
 
 #define SCENE_SHIP_RADIUS  TUFF_RATIO(41, 4)   /* covers the hull at every heading, the sine table's rounding included */
 #define SCENE_SHOT_RADIUS  TUFF_RATIO(3, 2)
+
+/* From tuff's numbers to Q16.16 and back. */
+static inline scene_int2 scene_raw(tuff_vec2 v)
+{
+    scene_int2 raw;
+    raw.x = tuff_to_q16_16(v.x);
+    raw.y = tuff_to_q16_16(v.y);
+    return raw;
+}
+
+static inline tuff_vec2 scene_vec2(int32_t raw_x, int32_t raw_y)
+{
+    tuff_vec2 v;
+    v.x = tuff_from_q16_16(raw_x);
+    v.y = tuff_from_q16_16(raw_y);
+    return v;
+}
 
 /* math.c */
 uint32_t   scene_random(scene *s, uint32_t below);                /* 0 .. below - 1 */
@@ -71,8 +86,7 @@ scene_int2 scene_heading(uint8_t facing);                         /* unit vector
 uint8_t    scene_facing_of(int32_t dx, int32_t dy);               /* the heading nearest to a direction */
 int32_t    scene_distance(int32_t dx, int32_t dy);                /* |dx|, |dy| up to 32767; rounded down */
 uint32_t   scene_root(uint32_t n);                                /* rounded down */
-scene_int2 scene_raw(tuff_vec2 v);                                /* Q16.16 */
-tuff_vec2  scene_vec2(int32_t raw_x, int32_t raw_y);              /* from Q16.16 */
+int32_t    scene_floor_divide(int32_t n, int32_t d);              /* d > 0 */
 scene_int2 scene_raw_unit2(tuff_unit2 v);                         /* Q16.16 */
 scene_int2 scene_toward(tuff_vec2 from, tuff_vec2 to);            /* whole units */
 
@@ -118,6 +132,7 @@ typedef struct scene_canvas {
     void      *context;
     int32_t camera_x, camera_y;        /* 1/16 unit */
     int32_t half_width, half_height;   /* 1/16 unit */
+    bool    plain;
 } scene_canvas;
 
 /* Positions in Q16.16, sizes in 1/16 unit. */

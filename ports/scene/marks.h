@@ -21,15 +21,16 @@ enum {
     SCENE_BEAM   = 32
 };
 
-/* What scene_draw adds to the picture: a sum of these. */
+/* What scene_draw adds to the picture, and leaves out: a sum of these. */
 enum {
     SCENE_SHOW_CHUNKS   = 1,   /* the index's grid, and the chunks about the ship */
     SCENE_SHOW_BOUNDS   = 2,   /* bounding circles; bright: those that the ship's circle reaches */
     SCENE_SHOW_NORMALS  = 4,   /* edge normals of parts, floaters and hull; internal edges in their own color */
-    SCENE_SHOW_CONTACTS = 8    /* the latest pushes: where, which way, and how deep (ten times) */
+    SCENE_SHOW_CONTACTS = 8,   /* the latest pushes: where, which way, and how deep (ten times) */
+    SCENE_SHOW_PLAIN    = 16   /* less: no stars, no facets on the rocks */
 };
 
-/* Colors are numbers: a port has its own palette of them. */
+/* Colors are numbers; scene_palette has a proposal for each. */
 enum {
     SCENE_COLOR_SPACE, SCENE_COLOR_STAR_FAR, SCENE_COLOR_STAR_NEAR,
     SCENE_COLOR_FLOOR, SCENE_COLOR_FLOOR_EDGE, SCENE_COLOR_GROUND,
@@ -47,6 +48,8 @@ enum {
     SCENE_COLOR_CONTACT,
     SCENE_COLORS
 };
+
+extern const uint32_t scene_palette[SCENE_COLORS];   /* 0xRRGGBB */
 
 /* One thing to draw, over all that came before. Coordinates, radii and widths: 1/16 unit, from the middle of the view. */
 enum { SCENE_POLYGON, SCENE_LINE, SCENE_DISC, SCENE_RING, SCENE_DOT };

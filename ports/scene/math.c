@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Zlib
    Copyright (c) 2026 the tuff authors
 
-   Random numbers, headings and roots in integers, and the way from tuff's numbers to Q16.16 and back. */
+   Random numbers, headings and roots in integers; directions. */
 #include "inner.h"
 
 /* xorshift32 (Marsaglia, 2003); the low bits are the weaker ones. */
@@ -36,17 +36,17 @@ scene_int2 scene_heading(uint8_t facing)
     return heading;
 }
 
+/* The nearest heading lies in the direction's own quadrant, its ends included; the first of two that are as near. */
 uint8_t scene_facing_of(int32_t dx, int32_t dy)
 {
     while (dx > 16383 || dx < -16383 || dy > 16383 || dy < -16383) {
         dx /= 2;
         dy /= 2;
     }
-    uint8_t best = 0;
-    int32_t best_dot = INT32_MIN;
-    for (uint8_t step = 0; step < 64; step++) {
-        scene_int2 heading = scene_heading((uint8_t)(step << 2));
-        int32_t dot = dx * heading.x + dy * heading.y;
+    uint8_t best = 0, first = (uint8_t)(dy >= 0 ? (dx >= 0 ? 0 : 16) : (dx < 0 ? 32 : 48));
+    int32_t best_dot = dx * quarter[16];
+    for (uint8_t step = first; step <= first + 16; step++) {
+        int32_t dot = dx * sine((uint8_t)((step + 16) & 63)) + dy * sine(step);
         if (dot > best_dot) {
             best_dot = dot;
             best = step;
@@ -55,11 +55,16 @@ uint8_t scene_facing_of(int32_t dx, int32_t dy)
     return (uint8_t)(best << 2);
 }
 
+/* Digit by digit: n keeps what the square of the digits so far has left of it. */
 uint32_t scene_root(uint32_t n)
 {
     uint32_t root = 0;
-    for (uint32_t bit = (uint32_t)1 << 15; bit != 0; bit >>= 1) {
-        if ((root | bit) * (root | bit) <= n) root |= bit;
+    for (uint32_t bit = (uint32_t)1 << 30; bit != 0; bit >>= 2) {
+        uint32_t tried = root | bit;
+        root >>= 1;
+        if (n < tried) continue;
+        n -= tried;
+        root |= bit;
     }
     return root;
 }
@@ -69,28 +74,17 @@ int32_t scene_distance(int32_t dx, int32_t dy)
     return (int32_t)scene_root((uint32_t)(dx * dx) + (uint32_t)(dy * dy));
 }
 
-scene_int2 scene_raw(tuff_vec2 v)
-{
-    scene_int2 raw;
-    raw.x = tuff_to_q16_16(v.x);
-    raw.y = tuff_to_q16_16(v.y);
-    return raw;
-}
-
-tuff_vec2 scene_vec2(int32_t raw_x, int32_t raw_y)
-{
-    tuff_vec2 v;
-    v.x = tuff_from_q16_16(raw_x);
-    v.y = tuff_from_q16_16(raw_y);
-    return v;
-}
-
 scene_int2 scene_raw_unit2(tuff_unit2 v)
 {
     tuff_vec2 unit_long;
     unit_long.x = tuff_scale(TUFF_WHOLE(1), v.x);
     unit_long.y = tuff_scale(TUFF_WHOLE(1), v.y);
     return scene_raw(unit_long);
+}
+
+int32_t scene_floor_divide(int32_t n, int32_t d)
+{
+    return n >= 0 ? n / d : -((d - 1 - n) / d);
 }
 
 scene_int2 scene_toward(tuff_vec2 from, tuff_vec2 to)

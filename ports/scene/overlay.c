@@ -6,10 +6,8 @@
 
 #define PITCH (16 * ((int32_t)1 << SCENE_PITCH_LOG2))   /* 1/16 unit */
 
-static int32_t floor_divide(int32_t n, int32_t d)
-{
-    return n >= 0 ? n / d : -((d - 1 - n) / d);
-}
+#define NORMAL_LENGTH   8    /* units */
+#define INTERNAL_LENGTH 4
 
 static scene_int2 raw_at(int32_t x, int32_t y)
 {
@@ -23,10 +21,10 @@ static void draw_grid(const scene_canvas *c)
 {
     int32_t left = c->camera_x - c->half_width, right = c->camera_x + c->half_width;
     int32_t top = c->camera_y - c->half_height, bottom = c->camera_y + c->half_height;
-    for (int32_t x = floor_divide(left, PITCH) * PITCH; x <= right; x += PITCH) {
+    for (int32_t x = scene_floor_divide(left, PITCH) * PITCH; x <= right; x += PITCH) {
         scene_draw_line(c, raw_at(x, top), raw_at(x, bottom), SCENE_COLOR_CHUNK, 9, 0);
     }
-    for (int32_t y = floor_divide(top, PITCH) * PITCH; y <= bottom; y += PITCH) {
+    for (int32_t y = scene_floor_divide(top, PITCH) * PITCH; y <= bottom; y += PITCH) {
         scene_draw_line(c, raw_at(left, y), raw_at(right, y), SCENE_COLOR_CHUNK, 9, 0);
     }
 }
@@ -50,7 +48,7 @@ static void tint_chunk(const scene_canvas *c, int32_t x, int32_t y)
 /* The chunk a point lies in, tinted and framed. */
 static void frame_chunk(const scene_canvas *c, scene_int2 at)
 {
-    int32_t x = floor_divide(at.x / 4096, PITCH) * PITCH, y = floor_divide(at.y / 4096, PITCH) * PITCH;
+    int32_t x = scene_floor_divide(at.x / 4096, PITCH) * PITCH, y = scene_floor_divide(at.y / 4096, PITCH) * PITCH;
     tint_chunk(c, x, y);
     scene_draw_line(c, raw_at(x, y), raw_at(x + PITCH, y), SCENE_COLOR_CHUNK_NEAR, 10, 8);
     scene_draw_line(c, raw_at(x + PITCH, y), raw_at(x + PITCH, y + PITCH), SCENE_COLOR_CHUNK_NEAR, 10, 8);
@@ -88,7 +86,7 @@ static void draw_bound(const scene_canvas *c, tuff_vec2 position, tuff_real radi
     scene_draw_round(c, SCENE_RING, at, size, reached ? SCENE_COLOR_BOUND_NEAR : SCENE_COLOR_BOUND, reached ? SCENE_SOLID : 13);
 }
 
-static void draw_bounds(scene *s, const scene_canvas *c)
+TUFF_HOT static void draw_bounds(scene *s, const scene_canvas *c)
 {
     uint16_t found = tuff_nearby_terrain(&s->world, s->ship.position, SCENE_SHIP_RADIUS);
     for (uint16_t i = 0; i < SCENE_PIECES; i++) {
@@ -106,8 +104,8 @@ static void draw_normal(const scene_canvas *c, scene_int2 from, scene_int2 to, t
     scene_int2 middle, tip, way = scene_raw_unit2(normal);
     middle.x = from.x / 2 + to.x / 2;
     middle.y = from.y / 2 + to.y / 2;
-    tip.x = middle.x + way.x * (internal ? 4 : 8);
-    tip.y = middle.y + way.y * (internal ? 4 : 8);
+    tip.x = middle.x + way.x * (internal ? INTERNAL_LENGTH : NORMAL_LENGTH);
+    tip.y = middle.y + way.y * (internal ? INTERNAL_LENGTH : NORMAL_LENGTH);
     scene_draw_line(c, middle, tip, internal ? SCENE_COLOR_INTERNAL : SCENE_COLOR_NORMAL, SCENE_SOLID, 8);
 }
 
@@ -119,8 +117,8 @@ static scene_int2 moved(scene_int2 at, tuff_vec2 by)
     return at;
 }
 
-/* Internal edges are drawn too: they are there, and may separate, but push nobody. */
-static void draw_part_normals(const scene_canvas *c, scene_int2 at, const tuff_polygon *part)
+/* The most marks that a picture has. Internal edges are drawn too: they are there, and may separate, but push nobody. */
+TUFF_HOT static void draw_part_normals(const scene_canvas *c, scene_int2 at, const tuff_polygon *part)
 {
     for (uint8_t i = 0; i < part->count; i++) {
         bool internal = part->internal_edges >> i & 1;
@@ -130,10 +128,10 @@ static void draw_part_normals(const scene_canvas *c, scene_int2 at, const tuff_p
     }
 }
 
-static void draw_piece_normals(const scene_canvas *c, const tuff_terrain *piece)
+TUFF_HOT static void draw_piece_normals(const scene_canvas *c, const tuff_terrain *piece)
 {
     scene_int2 at = scene_raw(piece->position);
-    if (piece->part_count == 0 || scene_out_of_view(c, at, 16 * 60)) return;
+    if (piece->part_count == 0 || scene_out_of_view(c, at, tuff_to_q16_16(piece->bounding_radius) / 4096 + NORMAL_LENGTH * 16)) return;
     for (uint8_t p = 0; p < piece->part_count; p++) draw_part_normals(c, at, &piece->parts[p]);
 }
 

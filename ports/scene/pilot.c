@@ -6,12 +6,6 @@
 
 #define PATROL 1080u   /* steps */
 
-typedef struct aim {
-    scene_int2 way;      /* whole units to the target */
-    int32_t distance;
-    bool    enemy, rock;
-} aim;
-
 /* Is nothing between the ship and a point short of the target's rim? */
 static bool in_sight(const scene *s, scene_int2 way, int32_t distance)
 {
@@ -21,7 +15,7 @@ static bool in_sight(const scene *s, scene_int2 way, int32_t distance)
     return !tuff_segment_terrain_intersect(&s->world, s->ship.position, to);
 }
 
-static void consider(const scene *s, aim *best, tuff_vec2 at, bool enemy)
+static void consider(const scene *s, scene_aim *best, tuff_vec2 at, bool enemy)
 {
     scene_int2 way = scene_toward(s->ship.position, at);
     int32_t distance = scene_distance(way.x, way.y);
@@ -32,20 +26,20 @@ static void consider(const scene *s, aim *best, tuff_vec2 at, bool enemy)
     best->rock = !enemy;
 }
 
-static aim choose_target(const scene *s)
+void scene_take_aim(const scene *s, scene_aim *best)
 {
     int32_t goal = s->frame / PATROL % 2 == 0 ? 440 : -440;
-    aim best = {{0, 0}, 230, false, false};
+    best->distance = 230;
+    best->enemy = best->rock = false;
     for (uint16_t i = 0; i < SCENE_ENEMIES; i++) {
-        if (s->enemies[i].hits != 0) consider(s, &best, s->enemies[i].body.position, true);
+        if (s->enemies[i].hits != 0) consider(s, best, s->enemies[i].body.position, true);
     }
     for (uint16_t i = SCENE_FIRST_VOLATILE; i < SCENE_FIRST_PLAIN; i++) {
-        if (s->terrain[i].part_count != 0) consider(s, &best, s->terrain[i].position, false);
+        if (s->terrain[i].part_count != 0) consider(s, best, s->terrain[i].position, false);
     }
-    if (best.enemy || best.rock) return best;
-    best.way = scene_toward(s->ship.position, scene_vec2(goal * SCENE_ONE, -70 * SCENE_ONE));
-    best.distance = scene_distance(best.way.x, best.way.y);
-    return best;
+    if (best->enemy || best->rock) return;
+    best->way = scene_toward(s->ship.position, scene_vec2(goal * SCENE_ONE, -70 * SCENE_ONE));
+    best->distance = scene_distance(best->way.x, best->way.y);
 }
 
 /* Each patrol from one end to the other ends on the floor, then climbs. */
@@ -87,7 +81,7 @@ static scene_int2 floor_wish(const scene *s)
 }
 
 /* The velocity to have, in Q16.16. */
-static scene_int2 wish(const scene *s, const aim *target)
+static scene_int2 wish(const scene *s, const scene_aim *target)
 {
     uint8_t facing = scene_facing_of(target->way.x, target->way.y);
     bool hunting = target->rock || target->enemy;
@@ -127,7 +121,7 @@ static bool within(const scene *s, uint8_t facing, int8_t slack)
     return off <= slack && off >= -slack;
 }
 
-static uint16_t fire(const scene *s, const aim *target, uint8_t facing)
+static uint16_t fire(const scene *s, const scene_aim *target, uint8_t facing)
 {
     if (!(target->enemy || target->rock) || target->distance > 200 || !within(s, facing, 6)) return 0;
     bool beaming = s->beam_on ? s->energy > 4 : s->energy > 100;
@@ -135,17 +129,16 @@ static uint16_t fire(const scene *s, const aim *target, uint8_t facing)
     return SCENE_SHOOT;
 }
 
-uint16_t scene_pilot(const scene *s)
+uint16_t scene_steer(const scene *s, const scene_aim *target)
 {
-    aim target = choose_target(s);
-    scene_int2 want = wish(s, &target), speed = scene_raw(s->ship.velocity), change;
-    uint8_t at_target = scene_facing_of(target.way.x, target.way.y);
+    scene_int2 want = wish(s, target), speed = scene_raw(s->ship.velocity), change;
+    uint8_t at_target = scene_facing_of(target->way.x, target->way.y);
     avoid(s, &want);
     change.x = (want.x - speed.x) / 64;
     change.y = (want.y - speed.y) / 64;
     uint8_t facing = scene_facing_of(change.x, change.y);
     int32_t lack = scene_distance(change.x, change.y) * 64;
-    uint16_t buttons = fire(s, &target, at_target);
+    uint16_t buttons = fire(s, target, at_target);
     if (lack > 45000) {
         buttons = (uint16_t)(buttons | turn_to(s, facing));
         if (within(s, facing, 20)) buttons |= SCENE_THRUST;
@@ -153,4 +146,11 @@ uint16_t scene_pilot(const scene *s)
         buttons = (uint16_t)(buttons | turn_to(s, at_target));
     }
     return buttons;
+}
+
+uint16_t scene_pilot(const scene *s)
+{
+    scene_aim target;
+    scene_take_aim(s, &target);
+    return scene_steer(s, &target);
 }

@@ -12,13 +12,15 @@
 
 #include "marks.h"
 
-#define scene_init   TUFF_LINK_NAME(scene_init)
-#define scene_step   TUFF_LINK_NAME(scene_step)
-#define scene_pilot  TUFF_LINK_NAME(scene_pilot)
-#define scene_draw   TUFF_LINK_NAME(scene_draw)
-#define scene_hash   TUFF_LINK_NAME(scene_hash)
-#define scene_count  TUFF_LINK_NAME(scene_count)
-#define scene_fault  TUFF_LINK_NAME(scene_fault)
+#define scene_init     TUFF_LINK_NAME(scene_init)
+#define scene_step     TUFF_LINK_NAME(scene_step)
+#define scene_pilot    TUFF_LINK_NAME(scene_pilot)
+#define scene_take_aim TUFF_LINK_NAME(scene_take_aim)
+#define scene_steer    TUFF_LINK_NAME(scene_steer)
+#define scene_draw     TUFF_LINK_NAME(scene_draw)
+#define scene_hash     TUFF_LINK_NAME(scene_hash)
+#define scene_count    TUFF_LINK_NAME(scene_count)
+#define scene_fault    TUFF_LINK_NAME(scene_fault)
 
 /* The pieces of terrain by number: floor, two moons, then rocks: concave ones, those that can be blown up, plain ones. */
 #define SCENE_FLOOR_COUNT     48
@@ -32,9 +34,20 @@
 #define SCENE_FIRST_PLAIN     (SCENE_FIRST_VOLATILE + SCENE_VOLATILE_COUNT)
 #define SCENE_PIECES          (SCENE_FIRST_PLAIN + SCENE_PLAIN_COUNT)
 
+/* How much there is of what moves, and how many random places are tried in a step for what comes back; a port to a small machine may say
+   less. Floaters: an even number. */
+#ifndef SCENE_TRIES
+#define SCENE_TRIES      60
+#endif
+#ifndef SCENE_ENEMIES
 #define SCENE_ENEMIES    10
+#endif
+#ifndef SCENE_FLOATERS
 #define SCENE_FLOATERS   10
+#endif
+#ifndef SCENE_SHOTS
 #define SCENE_SHOTS      12
+#endif
 #define SCENE_SPARKS     40
 #define SCENE_SCARS      16    /* pushes remembered for the picture */
 #define SCENE_BUCKETS    128
@@ -113,6 +126,14 @@ typedef struct scene {
     uint16_t     events[SCENE_EVENTS];
 } scene;
 
+typedef struct scene_int2 { int32_t x, y; } scene_int2;
+
+typedef struct scene_aim {
+    scene_int2 way;      /* whole units to the target */
+    int32_t distance;
+    bool    enemy, rock;
+} scene_aim;
+
 /* A new belt. */
 void scene_init(scene *s, uint32_t seed);
 
@@ -121,6 +142,10 @@ void scene_step(scene *s, uint16_t buttons);
 
 /* The buttons that the autopilot would press now. */
 uint16_t scene_pilot(const scene *s);
+
+/* The autopilot's work in two halves, for a machine that has no time for both in one step: what to hunt, and the buttons. */
+void     scene_take_aim(const scene *s, scene_aim *target);
+uint16_t scene_steer(const scene *s, const scene_aim *target);
 
 /* Emits the marks of the picture, from back to front. */
 void scene_draw(scene *s, const scene_view *view, scene_emit emit, void *context);
